@@ -97,9 +97,8 @@ def candidates(only: list[str]) -> tuple[list[Mutant], list[Mutant], set[str]]:
 def compile_flags() -> list[str]:
     """Returns the include folders and definitions of all targets."""
     folders = ["generated/include", "emulator/include", "emulator", "tools"]
-    folders += [
-        f"runtime/{layer}/include" for layer in ("core", "session", "any", "tasks", "io", "client")
-    ]
+    layers = ("core", "session", "any", "tasks", "analysis", "doctor", "io", "client")
+    folders += [f"runtime/{layer}/include" for layer in layers]
     folders += ["runtime/tasks/internal", "runtime/tasks/src"]
     folders += ["runtime/client/src", "runtime/io", "runtime/io/src"]
     definitions = ["ASIO_STANDALONE", "ASIO_NO_DEPRECATED", "FMT_HEADER_ONLY"]

@@ -1,26 +1,22 @@
 // sbgc tune: lets the board find the gains of its controllers.
 
 #include <algorithm>
-#include <array>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <iostream>
-#include <mutex>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <sbgc/client/parameters.hpp>
+#include <sbgc/client/tuning.hpp>
 #include <sbgc/internal/words.hpp>
 #include <sbgc/messages/calibration.hpp>
 #include <sbgc/messages/parameters.hpp>
-#include <sbgc/messages/realtime.hpp>
 
 #include "board/connection.hpp"
 #include "board/progress_bar.hpp"
@@ -30,7 +26,6 @@
 #include "command/number_range.hpp"
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"
-#include "move/end_tuning.hpp"
 #include "move/moving_gimbal.hpp"
 #include "parameters/profile_choice.hpp"
 #include "parameters/write_outcome.hpp"
@@ -39,8 +34,6 @@
 namespace sbgc::tools {
 
 namespace {
-
-using TuningClock = std::chrono::steady_clock;
 
 struct TuneOptions {
   std::vector<std::string> axes{};
@@ -62,50 +55,12 @@ Axes<bool> chosen_axes(const TuneOptions& options) {
 }
 
 msg::AutoPidRequest request_of(const TuneOptions& options, std::uint8_t profile) {
-  constexpr std::array flags{msg::AutoPidFlag::roll, msg::AutoPidFlag::pitch,
-                             msg::AutoPidFlag::yaw};
-  msg::AutoPidRequest request;
-  request.profile_id = profile;
-  request.cfg_flags = msg::AutoPidFlag::send_gui;
-  const Axes<bool> chosen = chosen_axes(options);
-  for (std::size_t axis = 0; axis < flags.size(); ++axis) {
-    if (chosen[axis]) request.cfg_flags.set(flags[axis]);
-  }
-  request.cfg_flags.set(msg::AutoPidFlag::keep_current, options.from_current);
-  request.cfg_flags.set(msg::AutoPidFlag::tune_lpf_freq, options.filters);
-  constexpr double most = 255;
-  request.gain_vs_stability = static_cast<std::uint8_t>(std::lround(options.gain / 100 * most));
-  return request;
+  return tuning_request({.axes = chosen_axes(options),
+                         .gain = options.gain,
+                         .from_current = options.from_current,
+                         .filters = options.filters,
+                         .profile = profile});
 }
-
-/// The messages with which the board reports its tuning. Thread-safe.
-class Reports {
- public:
-  void add(const msg::AutoPid& report) {
-    const std::lock_guard lock(mutex_);
-    last_ = report;
-    at_ = TuningClock::now();
-  }
-  void restart() {
-    const std::lock_guard lock(mutex_);
-    last_.reset();
-    at_ = TuningClock::now();
-  }
-  std::optional<msg::AutoPid> last() const {
-    const std::lock_guard lock(mutex_);
-    return last_;
-  }
-  /// Since the last one, or since the beginning.
-  TuningClock::duration silence() const {
-    const std::lock_guard lock(mutex_);
-    return TuningClock::now() - at_;
-  }
-
- private:
-  mutable std::mutex mutex_{};
-  std::optional<msg::AutoPid> last_{};
-  TuningClock::time_point at_ = TuningClock::now();
-};
 
 std::string report_text(const msg::AutoPid& report, const Axes<bool>& chosen) {
   std::string text = fmt::format("round {}", report.iter_num);
@@ -155,15 +110,8 @@ class TuningRun {
                               "the camera may still turn, and have new values; a guard process "
                               "stops it and writes the old ones if it can");
     gimbal_.begins_to_move(AfterStop::end_tuning, before_);
-    const Subscription reports = client.subscribe<msg::AutoPid>(
-        [this](const msg::AutoPid& report) { reports_.add(report); });
-    reports_.restart();
-    CallOptions call;
-    call.expect_confirmation = true;
-    // Few boards confirm it; the reports show that it runs.
-    const Result<Reply> started = client.transact(request_, call);
-    if (!started) give_up(started.error());
-    wait_for_end();
+    const Result<void> tuned = shown_tuning();
+    if (!tuned) give_up(tuned.error());
     gimbal_.has_stopped();
     try {
       print_changes(before_, read(), client.identity().versions());
@@ -215,34 +163,15 @@ class TuningRun {
         names, profile_.text());
   }
 
-  /// Waits until the board ends the tuning.
-  void wait_for_end() {
-    // Assumption: a board that does not say that it tunes reports its progress more often.
-    constexpr std::chrono::seconds longest_silence{5};
-    constexpr std::chrono::seconds longest_start{20};
+  /// Tunes until the board ends it, and shows the progress.
+  Result<void> shown_tuning() {
     const ProgressBar bar;
-    bool has_said_so = false;  // in its live data
-    const auto now = [] { return std::chrono::steady_clock::now(); };
-    auto answered = now();
-    for (;;) {
-      gimbal_.wait(std::chrono::milliseconds(200));
-      if (gimbal_.must_stop()) give_up({});
-      const std::optional<msg::AutoPid> last = reports_.last();
-      if (last) bar.show(report_text(*last, chosen_axes(options_)));
-      const Result<bool> says_so = is_tuning(gimbal_.client());
-      if (!says_so) {  // which does not mean that it has ended
-        if (now() - answered > longest_silence) give_up(says_so.error());
-        continue;
-      }
-      answered = now();
-      if (has_said_so && !*says_so) return;
-      has_said_so = has_said_so || *says_so;
-      if (*says_so) continue;
-      if (last && reports_.silence() > longest_silence) return;
-      if (!last && reports_.silence() > longest_start) {
-        give_up({ErrorCode::timeout, "the board reports no progress of the tuning"});
-      }
-    }
+    const auto show = [&](const std::optional<msg::AutoPid>& report) {
+      if (gimbal_.must_stop()) return false;
+      if (report) bar.show(report_text(*report, chosen_axes(options_)));
+      return true;
+    };
+    return gimbal_.client().run(tasks::run_tuning(request_, {.progress = show}));
   }
 
   bool wants_to_keep() const {
@@ -261,7 +190,7 @@ class TuningRun {
   /// Ends a tuning that went wrong.
   [[noreturn]] void give_up(const ClientError& problem) {
     Client& client = gimbal_.client();
-    const Result<void> ended = end_tuning(client);
+    const Result<void> ended = client.run(tasks::end_tuning());
     const Result<void> stopped = client.stop();
     if (stopped && ended) gimbal_.has_stopped();
     if (!ended) {
@@ -279,7 +208,6 @@ class TuningRun {
   ChosenProfile profile_;
   msg::AutoPidRequest request_;
   ParameterSet before_{};
-  Reports reports_{};
 };
 
 int tune(const TuneOptions& options, const CommandContext& context) {

@@ -11,11 +11,11 @@
 
 #include <sbgc/availability.hpp>
 #include <sbgc/client/own_transport.hpp>
+#include <sbgc/client/tuning.hpp>
 #include <sbgc/io/open.hpp>
 #include <sbgc/messages/control.hpp>
 
 #include "command/command_error.hpp"
-#include "move/end_tuning.hpp"
 #include "move/guard_channel.hpp"
 
 namespace sbgc::tools {
@@ -41,7 +41,7 @@ Result<void> stop_gimbal(const GuardedLine& line) {
     return line.after == what || line.after == AfterStop::all;
   };
   Result<void> ended;
-  if (does(AfterStop::end_tuning)) ended = end_tuning(*client);
+  if (does(AfterStop::end_tuning)) ended = client->run(tasks::end_tuning());
   StopOptions at_once;
   at_once.rest = {};
   Result<void> stopped = client->stop(at_once);

@@ -52,10 +52,13 @@ Task<Result<analysis::UniformSamples>> poll_often(Ask ask, Duration time) {
   constexpr Duration longest = milliseconds(100);
   const Result<Duration> shortest = co_await time_to_answer(ask);
   if (!shortest) co_return shortest.error();
-  for (Duration interval = *shortest;; interval = interval + interval) {
-    Result<analysis::UniformSamples> samples = co_await poll_at(ask, interval, time);
-    if (!samples || samples->is_usable() || interval >= longest) co_return samples;
+  Duration interval = *shortest;
+  Result<analysis::UniformSamples> samples = co_await poll_at(ask, interval, time);
+  while (samples && !samples->is_usable() && interval < longest) {
+    interval = interval + interval;
+    samples = co_await poll_at(ask, interval, time);
   }
+  co_return samples;
 }
 
 }  // namespace sbgc::doctor

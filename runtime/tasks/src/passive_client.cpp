@@ -86,7 +86,7 @@ TaskMachine& PassiveClient::State::start(TaskMachine& task, std::function<void()
   running->finish = std::move(finish);
   running->notices = delivery_.on_notice([&task](const Notice& one) { task.notice(one); });
   running->strays = delivery_.on_frame([&task](const BoardFrame& one) {
-    if (!one.belongs_to_call) task.overheard(one.frame.id);
+    if (!one.belongs_to_call) task.overheard(one.frame.id, one.frame.body);
   });
   running_.push_back(running);
   has_news_ = true;

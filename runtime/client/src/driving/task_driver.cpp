@@ -74,7 +74,9 @@ void TaskDriver::follow_overhearing() {
   overhearing_ = conversation_.on_frame([weak = weak_from_this()](const BoardFrame& one) {
     if (one.belongs_to_call) return;
     const auto self = weak.lock();
-    if (self) self->put([id = one.frame.id](TaskMachine& task) { task.overheard(id); });
+    if (!self) return;
+    self->put([id = one.frame.id, body = std::vector(one.frame.body.begin(), one.frame.body.end())](
+                  TaskMachine& task) { task.overheard(id, body); });
   });
 }
 

@@ -77,11 +77,11 @@ inline Result<void> go_on(const std::string& task, const ProgressHandler& progre
   return {};
 }
 
-/// Calls a handler with the ids of messages that belong to no call, as long as it lives. One at a
+/// Calls a handler with the messages that belong to no call, as long as it lives. One at a
 /// time.
 class Overhearing {
  public:
-  Overhearing(TaskMachine& task, std::function<void(std::uint8_t id)> handler) : task_(task) {
+  Overhearing(TaskMachine& task, TaskMachine::OverhearingHandler handler) : task_(task) {
     task_.overhear(std::move(handler));
   }
   Overhearing(const Overhearing&) = delete;

@@ -35,8 +35,9 @@ Task<Result<void>> wait_for_silence(std::function<bool()> goes_on) {
   constexpr Duration step = milliseconds(50);
   TaskMachine& task = co_await this_task();
   bool is_heard = false;
-  const detail::Overhearing overhearing(
-      task, [&](std::uint8_t id) { is_heard = is_heard || is_of_recording(id); });
+  const detail::Overhearing overhearing(task, [&](std::uint8_t id, std::span<const std::uint8_t>) {
+    is_heard = is_heard || is_of_recording(id);
+  });
   const Instant end = task.now() + longest_rest;
   for (Duration quiet; quiet < silence;) {
     if (is_heard && task.now() >= end) {

@@ -67,8 +67,8 @@ void TaskMachine::notice(const Notice& notice) {
   for (const NoticeHandler& handler : listeners_) handler(notice);
 }
 
-void TaskMachine::overheard(std::uint8_t id) {
-  if (overhearing_) overhearing_(id);
+void TaskMachine::overheard(std::uint8_t id, std::span<const std::uint8_t> body) {
+  if (overhearing_) overhearing_(id, body);
 }
 
 CallId TaskMachine::begin_call(Result<detail::Request> request, const CallOptions& options,

@@ -25,6 +25,7 @@
 #include <list>
 #include <memory>
 #include <optional>
+#include <span>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -82,7 +83,7 @@ class TaskMachine {
   void received(CallId id, std::vector<std::uint8_t> body);
   void notice(const Notice& notice);
   /// Reports a message of the board that belongs to no call, if overhears().
-  void overheard(std::uint8_t id);
+  void overheard(std::uint8_t id, std::span<const std::uint8_t> body);
   /// Ends the current or next wait with ErrorCode::cancelled, once. The task may still clean up.
   void cancel() noexcept { is_cancelled_ = true; }
   /// Says that the task with this number supersedes the motion of earlier ones: ends the current or
@@ -145,8 +146,10 @@ class TaskMachine {
   using Listener = std::list<NoticeHandler>::iterator;
   Listener listen(NoticeHandler handler);
   void stop_listening(Listener listener) { listeners_.erase(listener); }
-  /// Calls the handler with the id of each message that belongs to no call; an empty one ends that.
-  void overhear(std::function<void(std::uint8_t id)> handler) { overhearing_ = std::move(handler); }
+  using OverhearingHandler =
+      std::function<void(std::uint8_t id, std::span<const std::uint8_t> body)>;
+  /// Calls the handler with each message that belongs to no call; an empty one ends that.
+  void overhear(OverhearingHandler handler) { overhearing_ = std::move(handler); }
 
   /// The events that a coroutine waits for. The first one resumes it.
   struct Wait {
@@ -192,7 +195,7 @@ class TaskMachine {
   std::deque<TaskStep> steps_{};
   std::unordered_map<CallId, Call> calls_{};
   std::list<NoticeHandler> listeners_{};
-  std::function<void(std::uint8_t)> overhearing_{};
+  OverhearingHandler overhearing_{};
   bool line_may_repeat_ = false;
   bool is_cancelled_ = false;
   bool is_superseded_ = false;

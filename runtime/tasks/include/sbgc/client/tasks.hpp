@@ -11,4 +11,5 @@
 #include <sbgc/client/profiles.hpp>
 #include <sbgc/client/readiness.hpp>
 #include <sbgc/client/sensor_motion.hpp>
+#include <sbgc/client/tuning.hpp>
 #include <sbgc/client/variables.hpp>

@@ -1,0 +1,50 @@
+/// The automatic tuning of the controllers, in which the board finds their gains. It shakes the
+/// camera for some minutes and stores the gains at its end. Read docs/2-safety.md first, and keep
+/// the old parameters to write them back.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+#include <sbgc/client/task.hpp>
+#include <sbgc/messages/calibration.hpp>
+#include <sbgc/types.hpp>
+
+namespace sbgc {
+
+/// What to tune, and how.
+struct TuningChoice {
+  Axes<bool> axes{true, true, true};
+  double gain = 50;           ///< from 0, which prefers stability, to 100, which prefers high gains
+  bool from_current = false;  ///< begin with the present gains
+  bool filters = false;       ///< tune the low-pass filters as well
+  std::uint8_t profile{};     ///< from 0
+};
+
+/// Returns the request that starts it. The board reports its progress.
+msg::AutoPidRequest tuning_request(const TuningChoice& choice);
+
+/// Options of run_tuning().
+struct TuningOptions {
+  /// Called several times per second with the last report of the board. Returning false ends the
+  /// wait with ErrorCode::cancelled.
+  std::function<bool(const std::optional<msg::AutoPid>& report)> progress{};
+};
+
+namespace tasks {
+
+/// Starts the tuning and waits until the board ends it. After an error, the board may go on: then,
+/// call end_tuning() and stop(), and write the old parameters back. Not for firmware that tunes
+/// with CMD_AUTO_PID2, of which too little is documented.
+Task<Result<void>> run_tuning(msg::AutoPidRequest request, TuningOptions options = {});
+
+/// True if live data say that the board tunes. Early firmware does not say it, and has no such
+/// data.
+Task<Result<bool>> is_tuning();
+
+/// Ends the tuning, and makes sure of it. Parameters that the board has stored already stay.
+Task<Result<void>> end_tuning();
+
+}  // namespace tasks
+}  // namespace sbgc
