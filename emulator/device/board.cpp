@@ -13,7 +13,9 @@
 #include <sbgc/request_sizes.hpp>
 #include <sbgc/responses/all.hpp>
 
+#include "device/cycle.hpp"
 #include "device/default_response.hpp"
+#include "device/device.hpp"
 #include "device/equivalents.hpp"
 #include "device/handlers.hpp"
 #include "device/parameters/access.hpp"
@@ -162,7 +164,7 @@ class Board::Core {
     const std::uint32_t before = device.memory.revision;
     something();
     device.apply_parameters(clock_);
-    device.events.watch(device, clock_);
+    device.events.watch(device.menu, clock_);
     if (!device.options.waits_for_saving) return;
     const std::uint32_t after = device.memory.revision;
     if (after != before) device.memory.is_unsaved = true;
@@ -185,7 +187,7 @@ class Board::Core {
     for (std::size_t port = 0; port < request_times_.size(); ++port) {
       if (request_times_[port] > now) continue;
       request_times_[port] = Instant::never;
-      free_times_[port] = now + Device::cycle();
+      free_times_[port] = now + cycle;
       if (device.ports.can_take(port)) step([&] { carry_out_next(port, now); });
       plan_request(port);
     }
@@ -203,7 +205,8 @@ class Board::Core {
     if (device.ports.is_locked(port) && !unlocks(port, request)) {
       return device.ports.report(port, {request.id, request.body}, Reaction::locked);
     }
-    device.debug_copies.copy(device, port, {request.id, request.body, 0}, false, now);
+    device.debug_copies.copy(device.ports, device.clock(now), port, {request.id, request.body, 0},
+                             false);
     const Reaction reaction = carry_out_frame(port, request, now);
     BoardCounters& counters = device.ports.counters;
     if (reaction == Reaction::refused) ++counters.refused;

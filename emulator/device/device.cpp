@@ -3,8 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include <sbgc/roles.hpp>
-
+#include "device/cycle.hpp"
 #include "device/parameters/gimbal_tuning.hpp"
 
 namespace sbgc::emulator {
@@ -29,7 +28,7 @@ Device::Device(BoardOptions of, Memory kept, Instant now)
       ports(options),
       restarts(*this, now) {
   ports.on_sent = [this](std::size_t port, const Frame& frame) {
-    debug_copies.copy(*this, port, frame, true, ports.now);
+    debug_copies.copy(ports, clock(ports.now), port, frame, true);
   };
 }
 
@@ -38,10 +37,8 @@ msg::MillisecondClock Device::clock(Instant now) const {
   return msg::MillisecondClock(static_cast<std::uint16_t>((now - restarts.started()).us / 1000));
 }
 
-Duration Device::cycle() { return microseconds(roles::stream_cycle_us); }
-
 Duration Device::reported_cycle() const {
-  return options.faults.cycle == Duration{} ? cycle() : options.faults.cycle;
+  return options.faults.cycle == Duration{} ? cycle : options.faults.cycle;
 }
 
 // The counters wrap.

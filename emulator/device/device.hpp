@@ -15,6 +15,7 @@
 #include "device/calibration/frequency_response.hpp"
 #include "device/control/control_link.hpp"
 #include "device/control/events.hpp"
+#include "device/control/menu.hpp"
 #include "device/control/modes.hpp"
 #include "device/control/quaternion_control.hpp"
 #include "device/control/targets.hpp"
@@ -78,6 +79,9 @@ struct Device {
   CalibrationParts calibration{options,           memory, parameters, gimbal,       imus,
                                outputs,           ports,  restarts,   calibrations, auto_tuning,
                                frequency_response};
+  MenuParts menu{calibration, options, parameters, files,        gimbal,      tuning,
+                 ports,       streams, remote,     calibrations, auto_tuning, scripts,
+                 quaternions, tasks,   modes,      imus,         restarts};
 
   /// Passes changed parameters to the gimbal and the inputs, once the board runs.
   void apply_parameters(Instant now);
@@ -86,8 +90,6 @@ struct Device {
 
   /// The time since the start, which wraps every 65.5 s.
   msg::MillisecondClock clock(Instant now) const;
-  /// The cycle time of the controller.
-  static Duration cycle();
   /// The cycle time and the errors of the I2C bus that live data report.
   Duration reported_cycle() const;
   std::uint16_t i2c_errors(Instant now) const;
@@ -111,7 +113,7 @@ struct Device {
   auto parts() {
     return std::tuple_cat(
         acting_parts(), std::tie(*this, options, memory, eeprom, parameters, files, gimbal, tuning,
-                                 ports, i2c, restarts, control, calibration));
+                                 ports, i2c, restarts, control, calibration, menu));
   }
   /// A part by its type, for functions that take some parts.
   template <class Part>

@@ -7,10 +7,34 @@
 
 #include <sbgc/messages.hpp>
 
-#include "device/device.hpp"
 #include "device/request_context.hpp"
 
 namespace sbgc::emulator {
+
+class Calibrations;
+class ControlLink;
+class DebugCopies;
+class Eeprom;
+class ExternalMotors;
+class FileSystem;
+class I2cBus;
+class ModuleFlash;
+class Outputs;
+class Parameters;
+class QuaternionControl;
+class RemoteControl;
+class Restarts;
+class Scripts;
+class Slots;
+class StateVariables;
+class Streams;
+class Tasks;
+struct CalibrationParts;
+struct ControlParts;
+struct Device;
+struct Imus;
+struct MenuParts;
+struct Modes;
 
 /// True if the handler itself decides about values that the firmware does not know.
 template <class M>
@@ -60,7 +84,7 @@ Reaction handle(RequestContext&, const msg::GetAnglesExtRequest&, Gimbal&, const
                 const BoardOptions&);
 Reaction handle(RequestContext&, const msg::MotorsOn&, Tasks&, Gimbal&);
 Reaction handle(RequestContext&, const msg::MotorsOffExt&, Tasks&, Gimbal&);
-Reaction handle(RequestContext&, const msg::ExecuteMenuExt&, Device&);
+Reaction handle(RequestContext&, const msg::ExecuteMenuExt&, MenuParts&);
 Reaction handle(RequestContext&, const msg::HelperDataExt&, Gimbal&);
 Reaction handle(RequestContext&, const msg::ControlExtCommand&, ControlParts&);
 Reaction handle(RequestContext&, const msg::ControlConfig&, ControlLink&, Modes&, Parameters&);
@@ -129,9 +153,9 @@ Reaction handle(RequestContext&, const msg::BeepSound&, Outputs&);
 Reaction handle(RequestContext&, const msg::I2cReadRegBufRequest&, const I2cBus&,
                 const BoardOptions&, const Eeprom&, Gimbal&);
 Reaction handle(RequestContext&, const msg::I2cWriteRegBuf&, I2cBus&, const BoardOptions&, Eeprom&);
-Reaction handle(RequestContext&, const msg::ApiVirtChControl&, Device&);
+Reaction handle(RequestContext&, const msg::ApiVirtChControl&, RemoteControl&, MenuParts&);
 Reaction handle(RequestContext&, const msg::ServoOutExt&, Outputs&, const Parameters&);
-Reaction handle(RequestContext&, const msg::ApiVirtChHighRes&, Device&);
+Reaction handle(RequestContext&, const msg::ApiVirtChHighRes&, RemoteControl&, MenuParts&);
 Reaction handle(RequestContext&, const msg::ReadRcInputsRequest&, const RemoteControl&);
 
 // realtime

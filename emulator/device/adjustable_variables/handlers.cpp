@@ -17,6 +17,9 @@
 #include <sbgc/meta/variables.hpp>
 #include <sbgc/validate.hpp>
 
+#include "device/adjustable_variables/slots.hpp"
+#include "device/parameters/parameters.hpp"
+#include "device/peripherals/remote_control.hpp"
 #include "physics/quantities.hpp"
 
 namespace sbgc::emulator {

@@ -84,7 +84,7 @@ void Slots::advance(Instant now, Device& device) {
     const msg::MenuCommand action = slot.config.action[*level];
     slot.action = action;
     if (action == msg::MenuCommand::none) continue;
-    execute_menu(device, action, now);
+    execute_menu(device.menu, action, now);
     device.apply_parameters(now);  // which may concern the next slots
   }
   for (Analog& slot : analogs_) {

@@ -6,7 +6,9 @@
 
 #include <sbgc/parameters.hpp>
 
-#include "device/device.hpp"
+#include "device/calibration/frequency_response.hpp"
+#include "device/parameters/parameters.hpp"
+#include "device/ports.hpp"
 #include "physics/noise.hpp"
 
 namespace sbgc::emulator {

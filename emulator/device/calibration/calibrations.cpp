@@ -9,7 +9,12 @@
 #include <sbgc/meta/calibration.hpp>
 #include <sbgc/meta/parameters.hpp>
 
-#include "device/device.hpp"
+#include "device/calibration/auto_tuning.hpp"
+#include "device/calibration/frequency_response.hpp"
+#include "device/cycle.hpp"
+#include "device/imu/imus.hpp"
+#include "device/parameters/parameters.hpp"
+#include "device/peripherals/outputs.hpp"
 #include "device/request_context.hpp"
 #include "physics/noise.hpp"
 #include "physics/quantities.hpp"
@@ -140,7 +145,7 @@ void gyro_calibrated(CalibrationParts& parts, std::size_t imu, Instant now) {
 
 Duration Calibrations::scaled(const BoardOptions& options, Duration length) {
   const std::int64_t us = length.us / 100 * options.calibration_time;
-  return std::max(Device::cycle(), microseconds(us));
+  return std::max(cycle, microseconds(us));
 }
 
 bool Calibrations::start(CalibrationParts& parts, Kind kind, std::size_t imu,
@@ -149,7 +154,6 @@ bool Calibrations::start(CalibrationParts& parts, Kind kind, std::size_t imu,
   Run run{.kind = kind, .imu = imu, .profile = parts.parameters.profile(), .requester = requester};
   if (length == Duration{}) length = facts_of(kind).length;
   length = scaled(parts.options, length);
-  const Duration cycle = Device::cycle();
   run.steps_needed = length <= cycle ? 1 : steps;
   run.steps_left = patience * run.steps_needed;
   run.step = std::max(cycle, microseconds(length.us / run.steps_needed));

@@ -6,7 +6,8 @@
 #include <numbers>
 #include <span>
 
-#include "device/device.hpp"
+#include "device/calibration/auto_tuning.hpp"
+#include "device/ports.hpp"
 #include "physics/noise.hpp"
 
 namespace sbgc::emulator {

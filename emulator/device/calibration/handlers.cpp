@@ -11,6 +11,14 @@
 #include <sbgc/parameters.hpp>
 #include <sbgc/validate.hpp>
 
+#include "device/calibration/auto_tuning.hpp"
+#include "device/calibration/calibrations.hpp"
+#include "device/calibration/frequency_response.hpp"
+#include "device/features.hpp"
+#include "device/imu/imus.hpp"
+#include "device/parameters/parameters.hpp"
+#include "device/system/restarts.hpp"
+
 namespace sbgc::emulator {
 namespace {
 

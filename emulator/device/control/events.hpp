@@ -10,19 +10,19 @@
 
 namespace sbgc::emulator {
 
-struct Device;
+struct MenuParts;
 
 /// Watches the state of the board and sends CMD_EVENT when it changes, to the hosts that have
 /// started a stream of such events.
 class Events {
  public:
   /// Sends an event now.
-  static void emit(Device& device, msg::EventId id, msg::EventType type);
+  static void emit(MenuParts& parts, msg::EventId id, msg::EventType type);
   /// Sends the events of the changes since the last call.
-  void watch(Device& device, Instant now);
+  void watch(MenuParts& parts, Instant now);
 
   Instant next() const { return next_; }
-  void advance(Instant now, Device& device);
+  void advance(Instant now, MenuParts& parts);
 
  private:
   struct State {
@@ -30,7 +30,7 @@ class Events {
     std::optional<std::uint8_t> script{};
   };
 
-  static State state_of(const Device& device);
+  static State state_of(const MenuParts& parts);
 
   State state_{};
   Instant next_ = Instant::never;

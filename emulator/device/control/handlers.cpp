@@ -10,8 +10,14 @@
 #include <sbgc/meta/control.hpp>
 #include <sbgc/validate.hpp>
 
+#include "device/control/control_link.hpp"
 #include "device/control/menu.hpp"
+#include "device/control/modes.hpp"
+#include "device/control/quaternion_control.hpp"
 #include "device/control/targets.hpp"
+#include "device/control/tasks.hpp"
+#include "device/imu/imus.hpp"
+#include "device/parameters/parameters.hpp"
 #include "device/realtime/live_data.hpp"
 
 namespace sbgc::emulator {
@@ -184,16 +190,15 @@ Reaction handle(RequestContext& context, const msg::MotorsOffExt& request, Tasks
   return context.confirm();
 }
 
-// The actions of the menu use almost all parts.
-Reaction handle(RequestContext& context, const msg::ExecuteMenuExt& request, Device& device) {
-  if (!execute_menu(device, request.cmd_id, context.now)) {
+Reaction handle(RequestContext& context, const msg::ExecuteMenuExt& request, MenuParts& parts) {
+  if (!execute_menu(parts, request.cmd_id, context.now)) {
     return context.refuse(msg::BoardErrorCode::wrong_params,
                           static_cast<std::uint32_t>(request.cmd_id));
   }
   using Flag = msg::ExecuteMenuFlag;
   const bool confirms_end = request.param.has(Flag::confirm_on_finish);
   if (confirms_end) {
-    device.tasks.confirm_end(context.port, context.command, Tasks::Kind::action, context.now);
+    parts.tasks.confirm_end(context.port, context.command, Tasks::Kind::action, context.now);
   }
   return request.param.has(Flag::confirm) || !confirms_end ? context.confirm() : Reaction::executed;
 }

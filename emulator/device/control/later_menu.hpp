@@ -6,9 +6,9 @@
 
 namespace sbgc::emulator {
 
-struct Device;
+struct MenuParts;
 
 /// Executes such an action. Returns false if there is no such action.
-bool execute_later_action(Device& device, msg::MenuCommand action, Instant now);
+bool execute_later_action(MenuParts& parts, msg::MenuCommand action, Instant now);
 
 }  // namespace sbgc::emulator

@@ -3,9 +3,16 @@
 #include <cmath>
 #include <optional>
 
+#include "device/calibration/auto_tuning.hpp"
+#include "device/control/events.hpp"
 #include "device/control/later_menu.hpp"
-#include "device/device.hpp"
+#include "device/control/tasks.hpp"
+#include "device/imu/imus.hpp"
 #include "device/parameters/gimbal_tuning.hpp"
+#include "device/parameters/parameters.hpp"
+#include "device/peripherals/remote_control.hpp"
+#include "device/scripting/scripts.hpp"
+#include "device/system/restarts.hpp"
 #include "physics/quantities.hpp"
 
 namespace sbgc::emulator {
@@ -31,9 +38,9 @@ std::optional<std::uint8_t> script_of(msg::MenuCommand action) {
 }
 
 /// Makes the current camera angles the start angles.
-void set_angle(Device& device, bool is_saved, Instant now) {
-  Parameters& parameters = device.parameters;
-  const Axes<msg::Angle14> angles = wire_angles(device.gimbal.sample(now).angles);
+void set_angle(MenuParts& parts, bool is_saved, Instant now) {
+  Parameters& parameters = parts.parameters;
+  const Axes<msg::Angle14> angles = wire_angles(parts.gimbal.sample(now).angles);
   const auto edit = [&](msg::ReadParams3& changed) { changed.rc_memory = angles; };
   if (is_saved) {
     // The length does not change, so the body fits.
@@ -43,94 +50,94 @@ void set_angle(Device& device, bool is_saved, Instant now) {
   }
 }
 
-void go_home(Device& device, Instant now) {
-  const Axes<double> angles = home_angles(device.parameters);
-  for (std::size_t axis = 0; axis < angles.size(); ++axis) move_to(device, axis, angles[axis], now);
+void go_home(MenuParts& parts, Instant now) {
+  const Axes<double> angles = home_angles(parts.parameters);
+  for (std::size_t axis = 0; axis < angles.size(); ++axis) move_to(parts, axis, angles[axis], now);
 }
 
 /// Turns to the heading of the frame without undoing full turns.
-void center_yaw(Device& device, Instant now) {
-  const double joint = device.gimbal.sample(now).joints[yaw];
+void center_yaw(MenuParts& parts, Instant now) {
+  const double joint = parts.gimbal.sample(now).joints[yaw];
   constexpr double turn = 360;
-  device.gimbal.command(
+  parts.gimbal.command(
       yaw, {.mode = AxisMode::relative_angle, .angle = turn * std::round(joint / turn)}, now);
 }
 
 }  // namespace
 
-void move_to(Device& device, std::size_t axis, double angle, Instant now) {
-  device.gimbal.command(axis, {.mode = AxisMode::angle, .angle = angle}, now);
+void move_to(MenuParts& parts, std::size_t axis, double angle, Instant now) {
+  parts.gimbal.command(axis, {.mode = AxisMode::angle, .angle = angle}, now);
 }
 
-void begin_calibration(Device& device, Calibrations::Kind kind, Instant now) {
+void begin_calibration(MenuParts& parts, Calibrations::Kind kind, Instant now) {
   static_cast<void>(
-      device.calibrations.start(device.calibration, kind, device.imus.selected_index(), {}, now));
+      parts.calibrations.start(parts.calibration, kind, parts.imus.selected_index(), {}, now));
 }
 
-bool execute_menu(Device& device, msg::MenuCommand action, Instant now) {
+bool execute_menu(MenuParts& parts, msg::MenuCommand action, Instant now) {
   using Kind = Calibrations::Kind;
   if (const auto profile = profile_of(action)) {
-    device.parameters.select_profile(*profile);
+    parts.parameters.select_profile(*profile);
     return true;
   }
   if (const auto script = script_of(action)) {
     // An empty slot starts nothing.
-    if (Scripts::are_supported(device.options)) {
-      static_cast<void>(device.scripts.start(device.files, *script, {}, now));
+    if (Scripts::are_supported(parts.options)) {
+      static_cast<void>(parts.scripts.start(parts.files, *script, {}, now));
     }
     return true;
   }
   switch (action) {
     case msg::MenuCommand::none: break;
     case msg::MenuCommand::swap_pitch_roll:
-      device.remote.swap(pitch, roll);
-      device.remote.apply(device.parameters, device.gimbal, now);
+      parts.remote.swap(pitch, roll);
+      parts.remote.apply(parts.parameters, parts.gimbal, now);
       break;
     case msg::MenuCommand::swap_yaw_roll:
-      device.remote.swap(yaw, roll);
-      device.remote.apply(device.parameters, device.gimbal, now);
+      parts.remote.swap(yaw, roll);
+      parts.remote.apply(parts.parameters, parts.gimbal, now);
       break;
-    case msg::MenuCommand::calib_acc: begin_calibration(device, Kind::acc, now); break;
-    case msg::MenuCommand::calib_gyro: begin_calibration(device, Kind::gyro, now); break;
+    case msg::MenuCommand::calib_acc: begin_calibration(parts, Kind::acc, now); break;
+    case msg::MenuCommand::calib_gyro: begin_calibration(parts, Kind::gyro, now); break;
     case msg::MenuCommand::calib_acc_temp:
-      begin_calibration(device, Kind::acc_temperature, now);
+      begin_calibration(parts, Kind::acc_temperature, now);
       break;
     case msg::MenuCommand::calib_gyro_temp:
-      begin_calibration(device, Kind::gyro_temperature, now);
+      begin_calibration(parts, Kind::gyro_temperature, now);
       break;
-    case msg::MenuCommand::calib_mag: begin_calibration(device, Kind::mag, now); break;
-    case msg::MenuCommand::reset: device.restarts.announce(device.ports, now); break;
-    case msg::MenuCommand::set_angle: set_angle(device, true, now); break;
-    case msg::MenuCommand::set_angle_no_save: set_angle(device, false, now); break;
+    case msg::MenuCommand::calib_mag: begin_calibration(parts, Kind::mag, now); break;
+    case msg::MenuCommand::reset: parts.restarts.announce(parts.ports, now); break;
+    case msg::MenuCommand::set_angle: set_angle(parts, true, now); break;
+    case msg::MenuCommand::set_angle_no_save: set_angle(parts, false, now); break;
     case msg::MenuCommand::motor_toggle:
-      device.tasks.set_motors(device.gimbal, !device.gimbal.motors_on(), now);
+      parts.tasks.set_motors(parts.gimbal, !parts.gimbal.motors_on(), now);
       break;
-    case msg::MenuCommand::motor_on: device.tasks.set_motors(device.gimbal, true, now); break;
-    case msg::MenuCommand::motor_off: device.tasks.set_motors(device.gimbal, false, now); break;
+    case msg::MenuCommand::motor_on: parts.tasks.set_motors(parts.gimbal, true, now); break;
+    case msg::MenuCommand::motor_off: parts.tasks.set_motors(parts.gimbal, false, now); break;
     case msg::MenuCommand::auto_pid:
-      static_cast<void>(device.auto_tuning.start(device.calibration, now));
+      static_cast<void>(parts.auto_tuning.start(parts.calibration, now));
       break;
-    case msg::MenuCommand::look_down: move_to(device, pitch, 90, now); break;
-    case msg::MenuCommand::home_position: go_home(device, now); break;
+    case msg::MenuCommand::look_down: move_to(parts, pitch, 90, now); break;
+    case msg::MenuCommand::home_position: go_home(parts, now); break;
     case msg::MenuCommand::level_roll_pitch:
-      move_to(device, roll, 0, now);
-      move_to(device, pitch, 0, now);
+      move_to(parts, roll, 0, now);
+      move_to(parts, pitch, 0, now);
       break;
-    case msg::MenuCommand::center_yaw: center_yaw(device, now); break;
+    case msg::MenuCommand::center_yaw: center_yaw(parts, now); break;
     case msg::MenuCommand::untwist_cables:
-      device.gimbal.command(yaw, {.mode = AxisMode::relative_angle}, now);
+      parts.gimbal.command(yaw, {.mode = AxisMode::relative_angle}, now);
       break;
     // The camera stays level in any position of the frame, and there is no receiver to bind.
     case msg::MenuCommand::frame_upside_down:
     case msg::MenuCommand::rc_bind: break;
     case msg::MenuCommand::button_press: {
       // A single press. An action that presses the button again does nothing.
-      const msg::MenuCommand pressed = device.parameters.of<msg::ReadParams3>().menu_cmd[0];
-      Events::emit(device, msg::EventId::menu_button, msg::EventType::on);
-      Events::emit(device, msg::EventId::menu_button, msg::EventType::off);
-      return pressed == msg::MenuCommand::button_press || execute_menu(device, pressed, now);
+      const msg::MenuCommand pressed = parts.parameters.of<msg::ReadParams3>().menu_cmd[0];
+      Events::emit(parts, msg::EventId::menu_button, msg::EventType::on);
+      Events::emit(parts, msg::EventId::menu_button, msg::EventType::off);
+      return pressed == msg::MenuCommand::button_press || execute_menu(parts, pressed, now);
     }
-    default: return execute_later_action(device, action, now);
+    default: return execute_later_action(parts, action, now);
   }
   return true;
 }

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 
+#include <sbgc/emulator/gimbal.hpp>
 #include <sbgc/enums.hpp>
 #include <sbgc/time.hpp>
 
@@ -10,15 +11,42 @@
 
 namespace sbgc::emulator {
 
-struct Device;
+class FileSystem;
+class QuaternionControl;
+class RemoteControl;
+class Scripts;
+class Streams;
+class Tasks;
+struct Modes;
+
+/// The parts that the actions of the menu, tasks and events use.
+struct MenuParts {
+  CalibrationParts& calibration;
+  const BoardOptions& options;
+  Parameters& parameters;
+  const FileSystem& files;
+  Gimbal& gimbal;
+  const Tuning& tuning;
+  Ports& ports;
+  Streams& streams;
+  RemoteControl& remote;
+  Calibrations& calibrations;
+  AutoTuning& auto_tuning;
+  Scripts& scripts;
+  QuaternionControl& quaternions;
+  Tasks& tasks;
+  Modes& modes;
+  Imus& imus;
+  Restarts& restarts;
+};
 
 /// Executes an action. Returns false if there is no such action.
-bool execute_menu(Device& device, msg::MenuCommand action, Instant now);
+bool execute_menu(MenuParts& parts, msg::MenuCommand action, Instant now);
 
 // Parts of actions
 
-void move_to(Device& device, std::size_t axis, double angle, Instant now);
+void move_to(MenuParts& parts, std::size_t axis, double angle, Instant now);
 /// Starts a calibration of the selected IMU.
-void begin_calibration(Device& device, Calibrations::Kind kind, Instant now);
+void begin_calibration(MenuParts& parts, Calibrations::Kind kind, Instant now);
 
 }  // namespace sbgc::emulator

@@ -1,6 +1,10 @@
 #include "device/control/modes.hpp"
 
-#include "device/device.hpp"
+#include "device/calibration/auto_tuning.hpp"
+#include "device/calibration/calibrations.hpp"
+#include "device/calibration/frequency_response.hpp"
+#include "device/control/targets.hpp"
+#include "device/control/tasks.hpp"
 
 namespace sbgc::emulator {
 
@@ -20,17 +24,17 @@ msg::StateFlags state_flags(Gimbal& gimbal, const Modes& modes, const Tuning& tu
   return flags;
 }
 
-msg::CalibMode calibration_mode(const Device& device) {
-  if (device.tasks.is_stopping()) return msg::CalibMode::safe_stop;
-  if (device.auto_tuning.is_running()) return msg::CalibMode::auto_pid;
-  if (device.modes.is_writing_parameters) return msg::CalibMode::write_params;
-  if (device.frequency_response.is_running()) return msg::CalibMode::bode_test;
-  return device.calibrations.mode();
+msg::CalibMode calibration_mode(const ControlParts& control, const CalibrationParts& calibration) {
+  if (control.tasks.is_stopping()) return msg::CalibMode::safe_stop;
+  if (calibration.auto_tuning.is_running()) return msg::CalibMode::auto_pid;
+  if (control.modes.is_writing_parameters) return msg::CalibMode::write_params;
+  if (calibration.frequency_response.is_running()) return msg::CalibMode::bode_test;
+  return calibration.calibrations.mode();
 }
 
-msg::PowerState power_state(const Device& device) {
-  if (device.tasks.is_stopping()) return msg::PowerState::on_safe_stop;
-  return device.gimbal.motors_on() ? msg::PowerState::on : msg::PowerState::off;
+msg::PowerState power_state(const ControlParts& control) {
+  if (control.tasks.is_stopping()) return msg::PowerState::on_safe_stop;
+  return control.gimbal.motors_on() ? msg::PowerState::on : msg::PowerState::off;
 }
 
 }  // namespace sbgc::emulator

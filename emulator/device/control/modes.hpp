@@ -7,7 +7,8 @@
 
 namespace sbgc::emulator {
 
-struct Device;
+struct CalibrationParts;
+struct ControlParts;
 
 /// Switches of hosts and of menu actions, valid until the board restarts.
 struct Modes {
@@ -23,8 +24,8 @@ struct Modes {
 /// The flags of live data; those of CMD_BOARD_INFO are the lowest ones.
 msg::StateFlags state_flags(Gimbal& gimbal, const Modes& modes, const Tuning& tuning, Instant now);
 /// The calibration or other task that is running.
-msg::CalibMode calibration_mode(const Device& device);
+msg::CalibMode calibration_mode(const ControlParts& control, const CalibrationParts& calibration);
 /// The state of the motor power.
-msg::PowerState power_state(const Device& device);
+msg::PowerState power_state(const ControlParts& control);
 
 }  // namespace sbgc::emulator

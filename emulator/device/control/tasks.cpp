@@ -4,8 +4,11 @@
 #include <array>
 #include <cmath>
 
-#include "device/device.hpp"
+#include "device/calibration/auto_tuning.hpp"
+#include "device/control/menu.hpp"
+#include "device/control/quaternion_control.hpp"
 #include "device/request_context.hpp"
+#include "device/scripting/scripts.hpp"
 
 namespace sbgc::emulator {
 namespace {
@@ -36,21 +39,20 @@ bool has_stopped(Gimbal& gimbal, Instant now) {
   return speeds == Axes<double>{};
 }
 
-bool has_ended(Device& device, Tasks::Kind kind, Instant now) {
+bool has_ended(MenuParts& parts, Tasks::Kind kind, Instant now) {
   switch (kind) {
-    case Tasks::Kind::motion: return has_arrived(device.gimbal, now);
+    case Tasks::Kind::motion: return has_arrived(parts.gimbal, now);
     case Tasks::Kind::attitude:
-      return device.quaternions.has_arrived(device.gimbal, device.tuning, now);
+      return parts.quaternions.has_arrived(parts.gimbal, parts.tuning, now);
     case Tasks::Kind::action: break;
   }
-  return !device.calibrations.under_way() && !device.auto_tuning.is_running() &&
-         !device.scripts.running() && !device.tasks.is_stopping() &&
-         has_arrived(device.gimbal, now);
+  return !parts.calibrations.under_way() && !parts.auto_tuning.is_running() &&
+         !parts.scripts.running() && !parts.tasks.is_stopping() && has_arrived(parts.gimbal, now);
 }
 
-void report_end(Device& device, std::size_t port, std::uint8_t command, bool is_success,
+void report_end(MenuParts& parts, std::size_t port, std::uint8_t command, bool is_success,
                 Instant now) {
-  RequestContext context(device.ports, device.options, port, command, Confirmed::always, now);
+  RequestContext context(parts.ports, parts.options, port, command, Confirmed::always, now);
   constexpr std::array<std::uint8_t, 1> complete{1};
   if (is_success) {
     context.confirm(complete);
@@ -98,18 +100,18 @@ void Tasks::synchronize(Gimbal& gimbal, std::size_t axis, double degrees, Durati
   plan(now);
 }
 
-void Tasks::advance(Instant now, Device& device) {
-  if (off_ <= now || stop_ <= now || (is_stopping() && has_stopped(device.gimbal, now))) {
-    set_motors(device.gimbal, false, now);
+void Tasks::advance(Instant now, MenuParts& parts) {
+  if (off_ <= now || stop_ <= now || (is_stopping() && has_stopped(parts.gimbal, now))) {
+    set_motors(parts.gimbal, false, now);
   }
   const std::vector<Task> before = std::move(tasks_);
   tasks_.clear();
   for (const Task& task : before) {
-    if (has_ended(device, task.kind, now)) {
-      report_end(device, task.port, task.command, true, now);
+    if (has_ended(parts, task.kind, now)) {
+      report_end(parts, task.port, task.command, true, now);
     } else if (task.deadline <= now) {
-      if (task.kind == Kind::attitude) device.quaternions.end();
-      report_end(device, task.port, task.command, false, now);
+      if (task.kind == Kind::attitude) parts.quaternions.end();
+      report_end(parts, task.port, task.command, false, now);
     } else {
       tasks_.push_back(task);
     }

@@ -10,7 +10,7 @@
 
 namespace sbgc::emulator {
 
-struct Device;
+struct MenuParts;
 
 /// Confirms automatic tasks at their end, and turns the motors off after a safe stop or a
 /// synchronous motion.
@@ -35,7 +35,7 @@ class Tasks {
   void drop_port(std::size_t port);
 
   Instant next() const { return next_; }
-  void advance(Instant now, Device& device);
+  void advance(Instant now, MenuParts& parts);
 
  private:
   struct Task {

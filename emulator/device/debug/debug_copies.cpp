@@ -6,7 +6,7 @@
 #include <sbgc/messages/debug.hpp>
 #include <sbgc/meta/enums.hpp>
 
-#include "device/device.hpp"
+#include "device/ports.hpp"
 
 namespace sbgc::emulator {
 namespace {
@@ -31,14 +31,14 @@ bool is_filtered(msg::DebugPortCommands filter, std::uint8_t command, bool is_to
 
 }  // namespace
 
-void DebugCopies::copy(Device& device, std::size_t port, const Frame& frame, bool is_to_host,
-                       Instant now) {
+void DebugCopies::copy(Ports& ports, msg::MillisecondClock time, std::size_t port,
+                       const Frame& frame, bool is_to_host) {
   // Copies of copies would never end.
   if (frame.id == static_cast<std::uint8_t>(msg::SetDebugPort::command) && is_to_host) return;
   for (std::size_t to = 0; to < filters_.size(); ++to) {
     if (to == port || !filters_[to] || is_filtered(*filters_[to], frame.id, is_to_host)) continue;
     msg::SetDebugPort copy;
-    copy.time_ms = device.clock(now);
+    copy.time_ms = time;
     static_cast<void>(copy.port_and_dir.set_port(static_cast<std::uint8_t>(port)));
     copy.port_and_dir.set_direction(is_to_host);
     copy.cmd_id = frame.id;
@@ -46,7 +46,7 @@ void DebugCopies::copy(Device& device, std::size_t port, const Frame& frame, boo
     for (const std::uint8_t byte : frame.body) {
       if (!copy.payload.push_back(byte)) break;
     }
-    static_cast<void>(device.ports.offer(to, copy));
+    static_cast<void>(ports.offer(to, copy));
   }
 }
 

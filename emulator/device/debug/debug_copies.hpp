@@ -8,11 +8,11 @@
 #include <sbgc/emulator/board.hpp>
 #include <sbgc/enums.hpp>
 #include <sbgc/frame.hpp>
-#include <sbgc/time.hpp>
+#include <sbgc/units.hpp>
 
 namespace sbgc::emulator {
 
-struct Device;
+class Ports;
 
 /// CMD_SET_DEBUG_PORT. Assumption: a copy is lost if there is no room for it.
 class DebugCopies {
@@ -22,7 +22,8 @@ class DebugCopies {
     filters_[port] = filter;
   }
   /// Copies a message on a port to the others.
-  void copy(Device& device, std::size_t port, const Frame& frame, bool is_to_host, Instant now);
+  void copy(Ports& ports, msg::MillisecondClock time, std::size_t port, const Frame& frame,
+            bool is_to_host);
   void drop_port(std::size_t port) { filters_[port].reset(); }
 
  private:

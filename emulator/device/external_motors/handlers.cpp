@@ -2,6 +2,8 @@
 
 #include "device/handlers.hpp"
 
+#include "device/external_motors/external_motors.hpp"
+
 namespace sbgc::emulator {
 namespace {
 

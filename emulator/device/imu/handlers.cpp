@@ -7,6 +7,10 @@
 
 #include <sbgc/meta/enums.hpp>
 
+#include "device/calibration/calibrations.hpp"
+#include "device/features.hpp"
+#include "device/imu/imus.hpp"
+#include "device/parameters/parameters.hpp"
 #include "device/realtime/custom_data.hpp"
 #include "device/realtime/live_data.hpp"
 #include "physics/attitude.hpp"

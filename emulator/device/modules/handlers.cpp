@@ -8,6 +8,8 @@
 #include <sbgc/framing.hpp>
 #include <sbgc/roles.hpp>
 
+#include "device/features.hpp"
+#include "device/modules/module_flash.hpp"
 #include "device/modules/modules.hpp"
 
 namespace sbgc::emulator {

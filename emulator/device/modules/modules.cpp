@@ -2,7 +2,8 @@
 
 #include <cmath>
 
-#include "device/device.hpp"
+#include "device/external_motors/external_motors.hpp"
+#include "device/features.hpp"
 #include "physics/attitude.hpp"
 #include "physics/quantities.hpp"
 
@@ -44,14 +45,15 @@ std::vector<Module> modules_of(const BoardOptions& options) {
   return modules;
 }
 
-msg::CanDrvTelemetry telemetry(Device& device, std::size_t driver, msg::CanDrvTelemetryFlags fields,
-                               Instant now) {
+msg::CanDrvTelemetry telemetry(const BoardOptions& options, ExternalMotors& external_motors,
+                               Gimbal& gimbal, std::size_t driver, msg::CanDrvTelemetryFlags fields,
+                               msg::MillisecondClock time, Instant now) {
   using enum msg::CanDrvTelemetryFlag;
-  const Sample sample = device.gimbal.sample(now);
+  const Sample sample = gimbal.sample(now);
   // Assumption: the drivers are those of the external motors, or of the axes without them.
   ExternalMotors::Motion motion;
-  if (ExternalMotors::are_supported(device.options)) {
-    motion = device.external_motors.motion(driver, now);
+  if (ExternalMotors::are_supported(options)) {
+    motion = external_motors.motion(driver, now);
   } else {
     motion = {sample.speeds[driver] - turning(sample.frame_speed)[driver], sample.power[driver]};
   }
@@ -59,7 +61,7 @@ msg::CanDrvTelemetry telemetry(Device& device, std::size_t driver, msg::CanDrvTe
   constexpr double degrees_per_turn = 360;
   msg::CanDrvTelemetry data;
   data.drv_id = static_cast<std::uint8_t>(driver);
-  data.timestamp_ms = device.clock(now);
+  data.timestamp_ms = time;
   if (fields.has(can_bus_flags)) data.can_bus_flags = std::uint8_t{0};
   if (fields.has(can_bus_err_cnt)) data.can_bus_err_cnt = std::uint16_t{0};
   if (fields.has(temp_board)) data.temp_board = saturated<msg::Temperature>(sample.temperature + 2);

@@ -12,7 +12,8 @@
 
 namespace sbgc::emulator {
 
-struct Device;
+class ExternalMotors;
+class Gimbal;
 
 /// A module: IMUs of the camera and, if the board has one, of the frame, and a driver for each
 /// external motor. Assumption: a board with a CAN bus has all of them there.
@@ -29,7 +30,8 @@ std::size_t can_drivers(const BoardOptions& options);
 std::vector<Module> modules_of(const BoardOptions& options);
 
 /// Live data of a driver. Precondition: it exists.
-msg::CanDrvTelemetry telemetry(Device& device, std::size_t driver, msg::CanDrvTelemetryFlags fields,
-                               Instant now);
+msg::CanDrvTelemetry telemetry(const BoardOptions& options, ExternalMotors& external_motors,
+                               Gimbal& gimbal, std::size_t driver, msg::CanDrvTelemetryFlags fields,
+                               msg::MillisecondClock time, Instant now);
 
 }  // namespace sbgc::emulator

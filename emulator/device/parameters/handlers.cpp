@@ -7,6 +7,10 @@
 #include <cstdint>
 #include <span>
 
+#include "device/control/modes.hpp"
+#include "device/imu/imus.hpp"
+#include "device/parameters/parameters.hpp"
+
 namespace sbgc::emulator {
 
 Reaction handle(RequestContext& context, const msg::SaveParams3& request, Parameters& parameters) {

@@ -4,6 +4,13 @@
 
 #include <cstdint>
 
+#include "device/control/menu.hpp"
+#include "device/parameters/parameters.hpp"
+#include "device/peripherals/i2c_bus.hpp"
+#include "device/peripherals/outputs.hpp"
+#include "device/peripherals/remote_control.hpp"
+#include "device/storage/eeprom.hpp"
+
 namespace sbgc::emulator {
 
 Reaction handle(RequestContext& context, const msg::TriggerPin& request, Outputs& outputs,
@@ -56,12 +63,14 @@ Reaction handle(RequestContext& context, const msg::I2cWriteRegBuf& request, I2c
 }
 
 // A signal may start any action of the menu.
-Reaction handle(RequestContext& context, const msg::ApiVirtChControl& request, Device& device) {
-  device.remote.set_channels(device, request, context.now);
+Reaction handle(RequestContext& context, const msg::ApiVirtChControl& request,
+                RemoteControl& remote, MenuParts& parts) {
+  remote.set_channels(parts, request, context.now);
   return context.confirm();
 }
-Reaction handle(RequestContext& context, const msg::ApiVirtChHighRes& request, Device& device) {
-  device.remote.set_channels(device, request, context.now);
+Reaction handle(RequestContext& context, const msg::ApiVirtChHighRes& request,
+                RemoteControl& remote, MenuParts& parts) {
+  remote.set_channels(parts, request, context.now);
   return context.confirm();
 }
 

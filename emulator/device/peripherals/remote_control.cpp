@@ -10,7 +10,7 @@
 #include <sbgc/meta/parameters.hpp>
 
 #include "device/control/menu.hpp"
-#include "device/device.hpp"
+#include "device/parameters/parameters.hpp"
 #include "physics/quantities.hpp"
 
 namespace sbgc::emulator {
@@ -103,7 +103,7 @@ void RemoteControl::apply(const Parameters& parameters, Gimbal& gimbal, Instant 
 }
 
 template <class Signals>
-void RemoteControl::set_channels(Device& device, const Signals& signals, Instant now) {
+void RemoteControl::set_channels(MenuParts& parts, const Signals& signals, Instant now) {
   for (std::size_t i = 0; i < signals.val_ch.size(); ++i) {
     const auto signal = signals.val_ch[i];
     if (signal.raw() == Signals::undefined) {
@@ -113,18 +113,18 @@ void RemoteControl::set_channels(Device& device, const Signals& signals, Instant
       signals_[i] = std::clamp(signal.fraction(), -1.0, 1.0);
     }
   }
-  apply(device.parameters, device.gimbal, now);
-  follow_command_channel(device, now);
+  apply(parts.parameters, parts.gimbal, now);
+  follow_command_channel(parts, now);
 }
 
-template void RemoteControl::set_channels(Device&, const msg::ApiVirtChControl&, Instant);
-template void RemoteControl::set_channels(Device&, const msg::ApiVirtChHighRes&, Instant);
+template void RemoteControl::set_channels(MenuParts&, const msg::ApiVirtChControl&, Instant);
+template void RemoteControl::set_channels(MenuParts&, const msg::ApiVirtChHighRes&, Instant);
 
 /// The command channel is a switch with three positions; each change of position starts an action.
 /// Only new signals count, because an action that changes the source of the channel could otherwise
 /// trigger itself endlessly.
-void RemoteControl::follow_command_channel(Device& device, Instant now) {
-  const auto& parameters = device.parameters.of<msg::ReadParams3>();
+void RemoteControl::follow_command_channel(MenuParts& parts, Instant now) {
+  const auto& parameters = parts.parameters.of<msg::ReadParams3>();
   const auto level = signal(parameters.rc_map_cmd);
   // Assumption: thirds of the range.
   constexpr double third = 1.0 / 3;
@@ -136,7 +136,7 @@ void RemoteControl::follow_command_channel(Device& device, Instant now) {
   const msg::MenuCommand action = position == Position::low    ? parameters.rc_cmd_low
                                   : position == Position::high ? parameters.rc_cmd_high
                                                                : parameters.rc_cmd_mid;
-  static_cast<void>(execute_menu(device, action, now));
+  static_cast<void>(execute_menu(parts, action, now));
 }
 
 }  // namespace sbgc::emulator

@@ -18,7 +18,7 @@ msg::FineRcSignal fine_signal(std::optional<double> signal);
 
 class Gimbal;
 class Parameters;
-struct Device;
+struct MenuParts;
 
 /// RC inputs. Only the virtual channels of the API carry signals: nothing is connected to the pins
 /// and the serial receivers.
@@ -29,7 +29,7 @@ class RemoteControl {
   /// CMD_API_VIRT_CH_CONTROL and CMD_API_VIRT_CH_HIGH_RES: sets the signals of all virtual channels
   /// until the next message.
   template <class Signals>
-  void set_channels(Device& device, const Signals& signals, Instant now);
+  void set_channels(MenuParts& parts, const Signals& signals, Instant now);
   /// The signal of a source of RC_MAP_* or SRC_CH, -1..1; empty if there is none.
   std::optional<double> signal(msg::RcMap source) const;
   /// The raw signal of the source that is mapped to an axis.
@@ -49,7 +49,7 @@ class RemoteControl {
  private:
   enum class Position : std::uint8_t { none, low, middle, high };
 
-  void follow_command_channel(Device& device, Instant now);
+  void follow_command_channel(MenuParts& parts, Instant now);
 
   std::array<std::optional<double>, channels> signals_{};
   std::array<std::size_t, 3> source_of_axis_{0, 1, 2};

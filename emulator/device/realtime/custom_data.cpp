@@ -35,7 +35,7 @@ msg::SystemPowerState power(Device& device, const Sample& sample) {
     motor.mot_temp = saturated<msg::Temperature>(sample.temperature);
     motor.mot_flags.set(msg::MotorPowerFlag::driver_enabled, sample.power[axis] > 0);
   }
-  out.state = power_state(device);
+  out.state = power_state(device.control);
   out.battery_voltage = saturated<msg::Voltage>(device.measured_battery(sample));
   out.total_current = saturated<msg::Current>(1000 * sample.current);
   return out;
@@ -117,7 +117,7 @@ void measure_later(Device& device, std::size_t port, msg::RealtimeDataCustomFlag
     msg::SystemStatus& state = data.system_state.emplace();
     state = {};
     state.flags = state_flags(device.gimbal, device.modes, device.tuning, now);
-    state.calib_mode = calibration_mode(device);
+    state.calib_mode = calibration_mode(device.control, device.calibration);
   }
   const auto attitude = [&](const Axes<double>& angles) {
     return quaternion_of(Pose(angles, tuning.rotation_order).rotation());

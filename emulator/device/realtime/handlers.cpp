@@ -2,7 +2,9 @@
 
 #include "device/handlers.hpp"
 
+#include "device/imu/imus.hpp"
 #include "device/realtime/live_data.hpp"
+#include "device/realtime/streams.hpp"
 
 namespace sbgc::emulator {
 

@@ -135,7 +135,7 @@ msg::RealtimeData4 realtime_data_4(Device& device, std::size_t port, Instant now
   for (std::size_t axis = 0; axis < data.motor_out.size(); ++axis) {
     data.motor_out[axis] = saturated_raw<std::int16_t>(full_output * sample.power[axis]);
   }
-  data.calib_mode = calibration_mode(device);
+  data.calib_mode = calibration_mode(device.control, device.calibration);
   data.actual_angle = wire_angles(sample.angles);
   data.system_state_flags = state_flags(device.gimbal, device.modes, device.tuning, now);
   return data;
@@ -309,7 +309,8 @@ bool offer_sample(Device& device, std::size_t port, const msg::DataStreamInterva
     case msg::RealtimeDataCustom2::command:
       return offer(custom_data_2(device, *config.custom2_flags, now));
     case msg::CanDrvTelemetry::command:
-      return offer(telemetry(device, *config.drv_id, *config.telemetry_flags, now));
+      return offer(telemetry(device.options, device.external_motors, device.gimbal, *config.drv_id,
+                             *config.telemetry_flags, device.clock(now), now));
     case msg::ExtMotorsState::command:
       return offer(
           device.external_motors.state(device.gimbal, *config.motor, *config.data_set, now));

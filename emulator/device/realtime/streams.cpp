@@ -5,7 +5,8 @@
 #include <sbgc/responses/realtime.hpp>
 #include <sbgc/roles.hpp>
 
-#include "device/device.hpp"
+#include "device/cycle.hpp"
+#include "device/ports.hpp"
 #include "device/realtime/live_data.hpp"
 
 namespace sbgc::emulator {
@@ -21,7 +22,7 @@ std::int64_t interval_of(const msg::DataStreamInterval& request, const StreamCha
   if (change.interval_us == 0 || request.sync_to_data != msg::StreamSync::imu_attitude) {
     return change.interval_us;
   }
-  return Device::cycle().us * request.interval_ms.raw();
+  return cycle.us * request.interval_ms.raw();
 }
 
 }  // namespace
@@ -106,7 +107,7 @@ Instant Streams::next() const {
   return next;
 }
 
-void Streams::advance(Instant now, Device& device) {
+void Streams::advance(Instant now, Device& device, Ports& ports) {
   for (Stream& stream : streams_) {
     if (stream.is_held_up || now < stream.due()) continue;
     if (offer_sample(device, stream.port, stream.request, now)) {
@@ -114,7 +115,7 @@ void Streams::advance(Instant now, Device& device) {
     } else {
       // There is no room until bytes are sent, so do not check for each sample.
       stream.is_held_up = true;
-      skip(device.ports, stream, now);
+      skip(ports, stream, now);
     }
   }
 }

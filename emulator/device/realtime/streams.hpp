@@ -32,7 +32,7 @@ class Streams {
 
   /// The time of the next sample that is not held up.
   Instant next() const;
-  void advance(Instant now, Device& device);
+  void advance(Instant now, Device& device, Ports& ports);
   void restart(Instant now, Ports& ports);
 
  private:

@@ -2,6 +2,9 @@
 
 #include "device/handlers.hpp"
 
+#include "device/scripting/scripts.hpp"
+#include "device/storage/file_system.hpp"
+
 namespace sbgc::emulator {
 
 Reaction handle(RequestContext& context, const msg::RunScript& request, Scripts& scripts,

@@ -3,6 +3,9 @@
 
 #include "device/handlers.hpp"
 
+#include "device/storage/eeprom.hpp"
+#include "device/storage/file_system.hpp"
+
 namespace sbgc::emulator {
 namespace {
 

@@ -6,7 +6,14 @@
 #include <sbgc/meta/realtime.hpp>
 #include <sbgc/roles.hpp>
 
+#include "device/control/modes.hpp"
+#include "device/external_motors/external_motors.hpp"
+#include "device/features.hpp"
 #include "device/modules/modules.hpp"
+#include "device/parameters/parameters.hpp"
+#include "device/storage/file_system.hpp"
+#include "device/system/restarts.hpp"
+#include "device/system/state_variables.hpp"
 #include "physics/noise.hpp"
 
 namespace sbgc::emulator {
