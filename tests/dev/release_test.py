@@ -24,6 +24,7 @@ PARTS = (
         ".ci/sbom.py",
         ".ci/versions",
         "LICENSE",
+        "README.md",
         "pyproject.toml",
         "spec",
         "generator",

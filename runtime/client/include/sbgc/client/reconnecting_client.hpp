@@ -9,19 +9,22 @@
 
 namespace sbgc {
 
+// clang-format mistakes the attribute for a declaration.
+// clang-format off
 /// Use Client::connect() with ReconnectOptions.
 class [[deprecated("use Client::connect() with ReconnectOptions")]] ReconnectingClient
-    : public Client{public :
-                        // NOLINTNEXTLINE(google-explicit-constructor): another name for the same
-                        ReconnectingClient(Client client) noexcept : Client(std::move(client)){}
+    : public Client {
+ public:
+  // NOLINTNEXTLINE(google-explicit-constructor): another name for the same
+  ReconnectingClient(Client client) noexcept : Client(std::move(client)) {}
 
-                    static Result<ReconnectingClient>
-                        connect(const std::string& address, const ReconnectOptions& options = {}){
-                            auto client = Client::connect(address, options);
-if (!client) return std::move(client).error();
-return ReconnectingClient(*std::move(client));
-}  // namespace sbgc
-}
-;
+  static Result<ReconnectingClient> connect(const std::string& address,
+                                            const ReconnectOptions& options = {}) {
+    auto client = Client::connect(address, options);
+    if (!client) return std::move(client).error();
+    return ReconnectingClient(*std::move(client));
+  }
+};
+// clang-format on
 
 }  // namespace sbgc
