@@ -9,6 +9,7 @@
 
 namespace sbgc {
 
+/// How a sensor moves, and what points up.
 struct SensorMotion {
   bool is_known = true;  ///< false for a frame whose sensor says nothing
   double shaking{};      ///< how far the rate leaves its mean within a second, in deg/s
