@@ -16,7 +16,7 @@ from compiler import COMPILERS, INCLUDES, LAST_COMPILER, cross_compilers
 
 HOSTED = re.compile(
     r"^sbgc/(any|field_type|value_text|json|parse_json|to_json|from_json|text|explain|fmt|ostream|error|result"
-    r"|io/|analysis/|client/|internal/(characters|find_by|foreign_kind|own_json"
+    r"|io/|analysis/|doctor/|client/|internal/(characters|find_by|foreign_kind|own_json"
     r"|parse_number|parse_real|suggestions|words))"
 )
 FLAGS = [
