@@ -26,6 +26,7 @@
 #include <sbgc/client/async_reconnecting_client.hpp>
 #include <sbgc/client/motion.hpp>
 #include <sbgc/client/speed_control.hpp>
+#include <sbgc/io/memory.hpp>
 #include <sbgc/messages.hpp>
 
 #include "collector.hpp"
@@ -148,6 +149,23 @@ TEST_F(AsyncReconnecting, ALineThatIsLostComesBack) {
   EXPECT_EQ(client->connections(), 2U);
   EXPECT_THAT(changes.wait_for(3),
               ElementsAre(LinkState::lost, LinkState::searching, LinkState::connected));
+}
+
+TEST_F(AsyncReconnecting, ALaterAttemptToConnectEndsAnEarlierOne) {
+  client.emplace(context.get_executor());
+  std::unique_ptr<io::Transport> silent;
+  const auto silent_line = [&](const asio::any_io_executor& executor) {
+    auto pair = io::make_memory_pair(executor);
+    silent = std::move(pair.second);
+    return std::move(pair.first);
+  };
+  auto first =
+      client->async_connect_over(silent_line, {.timeout = std::chrono::hours(1)}, asio::use_future);
+  auto second = client->async_connect_over(cable(), quick_again(), asio::use_future);
+  EXPECT_FALSE(first.get());
+  EXPECT_TRUE(second.get());
+  EXPECT_TRUE(ask().get());
+  on_executor([&] { silent.reset(); });
 }
 
 TEST_F(AsyncReconnecting, TheFormerNameDoesIt) {

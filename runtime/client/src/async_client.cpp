@@ -33,7 +33,10 @@ class AsyncClient::Links {
 
   void connect(const detail::Opener& opener, const ConnectOptions& options, const Done& done) {
     const std::uint64_t attempt = end();
-    if (!worker_) worker_.emplace(1);
+    {
+      const std::lock_guard lock(mutex_);
+      if (!worker_) worker_.emplace(1);
+    }
     asio::post(*worker_, [this, attempt, opener, options, done] {
       const auto adopt = [this, attempt](const detail::Conversation& begun) {
         const std::lock_guard lock(mutex_);
@@ -42,16 +45,17 @@ class AsyncClient::Links {
       };
       auto conversation = detail::connect(executor_, opener, options, adopt);
       if (!conversation) return done(std::move(conversation).error());
-      set(std::make_shared<detail::Connection>(nullptr, executor_, *std::move(conversation)));
-      done({});
+      Link link =
+          std::make_shared<detail::Connection>(nullptr, executor_, *std::move(conversation));
+      done(swap(link, attempt) ? Result<void>() : closed_meanwhile());
     });
   }
   detail::Stop connect(const std::string& address, const TransportFactory& make,
                        const ReconnectOptions& options, const Done& done) {
     const auto begun = std::make_shared<detail::Reconnection>(address, make, options, executor_);
-    Link previous = set(detail::owner_of(begun));
-    if (previous) previous->close();
-    begun->start(std::move(previous), done);
+    Link link = detail::owner_of(begun);
+    if (!swap(link, end())) return done(closed_meanwhile()), detail::Stop{};
+    begun->start(std::move(link), done);
     return [weak = std::weak_ptr(begun)] {
       if (const auto connecting = weak.lock()) connecting->close();
     };
@@ -80,9 +84,14 @@ class AsyncClient::Links {
   }
 
  private:
-  Link set(Link link) {
+  static ClientError closed_meanwhile() { return {ErrorCode::cancelled, "the client was closed"}; }
+  /// Makes this the link, and returns the previous one in its place, unless end() has been called
+  /// since. Returns whether it has done so.
+  bool swap(Link& link, std::uint64_t attempt) {
     const std::lock_guard lock(mutex_);
-    return std::exchange(link_, std::move(link));
+    if (attempt != ends_) return false;
+    link_.swap(link);
+    return true;
   }
 
   const asio::any_io_executor executor_;
