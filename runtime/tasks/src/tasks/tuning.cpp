@@ -69,7 +69,8 @@ Task<Result<void>> run_tuning(msg::AutoPidRequest request, TuningOptions options
   // Assumption: a board that does not say that it tunes reports its progress more often.
   constexpr Duration longest_silence = seconds(5);
   constexpr Duration longest_start = seconds(20);
-  constexpr Duration pause = milliseconds(200);
+  constexpr Duration pause = milliseconds(200);    // between questions to the board
+  constexpr Duration patience = milliseconds(50);  // of a user who ends it
   TaskMachine& task = co_await this_task();
   TuningReports reports(task);
   CallOptions call;
@@ -80,10 +81,12 @@ Task<Result<void>> run_tuning(msg::AutoPidRequest request, TuningOptions options
   bool has_said_so = false;  // in its live data
   Instant answered = task.now();
   for (;;) {
-    const Result<void> waited = co_await wait_until(task.now() + pause);
-    if (!waited) co_return waited;
-    if (options.progress && !options.progress(reports.last())) {
-      co_return detail::cancelled_error("tuning");
+    for (const Instant next = task.now() + pause; task.now() < next;) {
+      const Result<void> waited = co_await wait_until(earlier(task.now() + patience, next));
+      if (!waited) co_return waited;
+      if (options.progress && !options.progress(reports.last())) {
+        co_return detail::cancelled_error("tuning");
+      }
     }
     const Result<bool> says_so = co_await is_tuning();
     if (!says_so) {  // which does not mean that it has ended
