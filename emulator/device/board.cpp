@@ -205,8 +205,8 @@ class Board::Core {
     if (device.ports.is_locked(port) && !unlocks(port, request)) {
       return device.ports.report(port, {request.id, request.body}, Reaction::locked);
     }
-    device.debug_copies.copy(device.ports, device.clock(now), port, {request.id, request.body, 0},
-                             false);
+    device.debug_copies.copy(device.ports, device.measured.clock(now), port,
+                             {request.id, request.body, 0}, false);
     const Reaction reaction = carry_out_frame(port, request, now);
     BoardCounters& counters = device.ports.counters;
     if (reaction == Reaction::refused) ++counters.refused;

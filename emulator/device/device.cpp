@@ -3,20 +3,9 @@
 #include <cmath>
 #include <utility>
 
-#include "device/cycle.hpp"
 #include "device/parameters/gimbal_tuning.hpp"
 
 namespace sbgc::emulator {
-
-namespace {
-
-/// How often something happened since the board has started.
-std::uint64_t count_of(double per_second, Instant started, Instant now) {
-  const double seconds = static_cast<double>((now - started).us) * 1e-6;
-  return static_cast<std::uint64_t>(std::llround(seconds * per_second));
-}
-
-}  // namespace
 
 Device::Device(BoardOptions of, Memory kept, Instant now)
     : options(std::move(of)),
@@ -28,36 +17,8 @@ Device::Device(BoardOptions of, Memory kept, Instant now)
       ports(options),
       restarts(*this, now) {
   ports.on_sent = [this](std::size_t port, const Frame& frame) {
-    debug_copies.copy(ports, clock(ports.now), port, frame, true);
+    debug_copies.copy(ports, measured.clock(ports.now), port, frame, true);
   };
-}
-
-msg::MillisecondClock Device::clock(Instant now) const {
-  // NOLINTNEXTLINE(modernize-return-braced-init-list): the constructor is explicit
-  return msg::MillisecondClock(static_cast<std::uint16_t>((now - restarts.started()).us / 1000));
-}
-
-Duration Device::reported_cycle() const {
-  return options.faults.cycle == Duration{} ? cycle : options.faults.cycle;
-}
-
-// The counters wrap.
-
-std::uint16_t Device::i2c_errors(Instant now) const {
-  return static_cast<std::uint16_t>(count_of(options.faults.i2c_errors, restarts.started(), now));
-}
-
-std::uint16_t Device::serial_errors(std::size_t port, Instant now) const {
-  return static_cast<std::uint16_t>(
-      ports.errors(port) + count_of(options.faults.serial_errors, restarts.started(), now));
-}
-
-double Device::battery_factor() const {
-  return has_battery_meter(options) ? memory.battery_factor : 0;
-}
-
-double Device::measured_battery(const Sample& sample) const {
-  return sample.battery * battery_factor();
 }
 
 void Device::apply_parameters(Instant now) {
@@ -65,7 +26,8 @@ void Device::apply_parameters(Instant now) {
   imus.has_frame = options.has_frame_imu && parameters.of<msg::ReadParams3>().frame_imu_pos !=
                                                 msg::FrameImuPosition::disabled;
   if (!imus.has_frame) imus.selected = msg::SelectedImu::main;
-  tuning = tuning_of(parameters, versions_of(options), has_encoders(options), battery_factor());
+  tuning = tuning_of(parameters, versions_of(options), has_encoders(options),
+                     battery_factor(options, memory));
   for (std::size_t i = 0; i < tuning.axes.size(); ++i) {
     bool& follows = tuning.axes[i].follows;
     follows = (follows || modes.follows) && !modes.follow_off;
@@ -93,20 +55,6 @@ void Device::calibrate_at_start(Instant now) {
     if (offset != Vector{}) ++memory.revision;
     offset = {};
   }
-}
-
-Flags<msg::SystemError> Device::errors(Instant now) {
-  Flags<msg::SystemError> errors = calibrations.errors() | options.faults.errors;
-  if (has_battery_meter(options)) {
-    const auto& thresholds = parameters.of<msg::ReadParams3>();
-    const double volts = measured_battery(gimbal.sample(now));
-    // A negative threshold disables the check: no voltage is below it.
-    if (volts < thresholds.bat_threshold_alarm.volts()) errors.set(msg::SystemError::low_bat1);
-    if (volts < thresholds.bat_threshold_motors.volts()) errors.set(msg::SystemError::low_bat2);
-  }
-  // Without motor current the voltage may have risen again.
-  if (gimbal.stopped_by_battery()) errors.set(msg::SystemError::low_bat2);
-  return errors;
 }
 
 }  // namespace sbgc::emulator

@@ -1,7 +1,6 @@
-/// The device: all parts of the board, for handlers and for parts that use each other.
+/// The device: all parts of the board.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <tuple>
 #include <type_traits>
@@ -30,6 +29,7 @@
 #include "device/peripherals/outputs.hpp"
 #include "device/peripherals/remote_control.hpp"
 #include "device/ports.hpp"
+#include "device/realtime/measured_parts.hpp"
 #include "device/realtime/streams.hpp"
 #include "device/scripting/scripts.hpp"
 #include "device/storage/eeprom.hpp"
@@ -82,22 +82,12 @@ struct Device {
   MenuParts menu{calibration, options, parameters, files,        gimbal,      tuning,
                  ports,       streams, remote,     calibrations, auto_tuning, scripts,
                  quaternions, tasks,   modes,      imus,         restarts};
+  MeasuredParts measured{options, memory,       parameters, gimbal,     tuning,          ports,
+                         remote,  calibrations, scripts,    outputs,    external_motors, modes,
+                         imus,    restarts,     control,    calibration};
 
   /// Passes changed parameters to the gimbal and the inputs, once the board runs.
   void apply_parameters(Instant now);
-  /// The errors that live data report.
-  Flags<msg::SystemError> errors(Instant now);
-
-  /// The time since the start, which wraps every 65.5 s.
-  msg::MillisecondClock clock(Instant now) const;
-  /// The cycle time and the errors of the I2C bus that live data report.
-  Duration reported_cycle() const;
-  std::uint16_t i2c_errors(Instant now) const;
-  std::uint16_t serial_errors(std::size_t port, Instant now) const;
-  /// The reading of the battery sensor per volt; 0 without a sensor.
-  double battery_factor() const;
-  /// The reading of the calibrated sensor in volts; 0 without a sensor.
-  double measured_battery(const Sample& sample) const;
   /// Calibrates the gyroscopes at the start of the board if the parameters require it.
   void calibrate_at_start(Instant now);
 
@@ -109,11 +99,10 @@ struct Device {
                     control_link, quaternions, tasks, external_motors, module_flash,
                     state_variables, debug_copies, events, modes, imus, streams);
   }
-  /// All parts; the whole device counts as one.
   auto parts() {
     return std::tuple_cat(
-        acting_parts(), std::tie(*this, options, memory, eeprom, parameters, files, gimbal, tuning,
-                                 ports, i2c, restarts, control, calibration, menu));
+        acting_parts(), std::tie(options, memory, eeprom, parameters, files, gimbal, tuning, ports,
+                                 i2c, restarts, control, calibration, menu, measured));
   }
   /// A part by its type, for functions that take some parts.
   template <class Part>

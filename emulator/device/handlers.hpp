@@ -31,8 +31,8 @@ class Streams;
 class Tasks;
 struct CalibrationParts;
 struct ControlParts;
-struct Device;
 struct Imus;
+struct MeasuredParts;
 struct MenuParts;
 struct Modes;
 
@@ -106,8 +106,8 @@ Reaction handle(RequestContext&, const msg::SyncMotors&, Tasks&, Gimbal&);
 
 // debug
 Reaction handle(RequestContext&, const msg::DebugVarsInfo3Request&);
-Reaction handle(RequestContext&, const msg::DebugVars3Request&, Device&);
-Reaction handle(RequestContext&, const msg::DebugVars3RequestSelected&, Device&);
+Reaction handle(RequestContext&, const msg::DebugVars3Request&, MeasuredParts&);
+Reaction handle(RequestContext&, const msg::DebugVars3RequestSelected&, MeasuredParts&);
 Reaction handle(RequestContext&, const msg::SetDebugPortRequest&, DebugCopies&);
 
 // external_motors
@@ -159,11 +159,11 @@ Reaction handle(RequestContext&, const msg::ApiVirtChHighRes&, RemoteControl&, M
 Reaction handle(RequestContext&, const msg::ReadRcInputsRequest&, const RemoteControl&);
 
 // realtime
-Reaction handle(RequestContext&, const msg::RealtimeData&, Device&);
-Reaction handle(RequestContext&, const msg::RealtimeData3Request&, Device&);
-Reaction handle(RequestContext&, const msg::RealtimeData4Request&, Device&);
-Reaction handle(RequestContext&, const msg::RealtimeDataCustomRequest&, Device&);
-Reaction handle(RequestContext&, const msg::RealtimeDataCustom2Request&, Device&);
+Reaction handle(RequestContext&, const msg::RealtimeData&, MeasuredParts&);
+Reaction handle(RequestContext&, const msg::RealtimeData3Request&, MeasuredParts&);
+Reaction handle(RequestContext&, const msg::RealtimeData4Request&, MeasuredParts&);
+Reaction handle(RequestContext&, const msg::RealtimeDataCustomRequest&, MeasuredParts&);
+Reaction handle(RequestContext&, const msg::RealtimeDataCustom2Request&, MeasuredParts&);
 Reaction handle(RequestContext&, const msg::DataStreamInterval&, Streams&, Ports&,
                 const BoardOptions&, const Imus&, Gimbal&);
 

@@ -8,7 +8,8 @@
 #include <sbgc/meta/variables.hpp>
 
 #include "device/control/menu.hpp"
-#include "device/device.hpp"
+#include "device/parameters/parameters.hpp"
+#include "device/peripherals/remote_control.hpp"
 
 namespace sbgc::emulator {
 namespace {
@@ -65,18 +66,18 @@ void Slots::apply_parameters(const Parameters& parameters, Instant now) {
   }
   if (!is_any_used) {
     next_ = Instant::never;
+    next_trigger_ = 0;
   } else if (next_ == Instant::never) {
     next_ = now + period;
   }
 }
 
-void Slots::advance(Instant now, Device& device) {
-  next_ = next_ + period;
-  if (next_ <= now) next_ = now + period;  // past values of a signal are unknown
+void Slots::advance(Instant now, MenuParts& menu) {
   // Actions first, because they may switch the profile.
-  for (Trigger& slot : triggers_) {
+  while (next_trigger_ < triggers) {
+    Trigger& slot = triggers_[next_trigger_++];
     const auto signal =
-        is_used(slot.config) ? device.remote.signal(slot.config.src_ch) : std::nullopt;
+        is_used(slot.config) ? menu.remote.signal(slot.config.src_ch) : std::nullopt;
     const auto level = signal ? std::optional(level_of(*signal)) : std::nullopt;
     if (level == slot.level) continue;
     slot.level = level;
@@ -84,18 +85,21 @@ void Slots::advance(Instant now, Device& device) {
     const msg::MenuCommand action = slot.config.action[*level];
     slot.action = action;
     if (action == msg::MenuCommand::none) continue;
-    execute_menu(device.menu, action, now);
-    device.apply_parameters(now);  // which may concern the next slots
+    execute_menu(menu, action, now);
+    return;  // and go on at once, with the parameters that the action has changed
   }
+  next_trigger_ = 0;
+  next_ = next_ + period;
+  if (next_ <= now) next_ = now + period;  // past values of a signal are unknown
   for (Analog& slot : analogs_) {
-    const auto signal = device.remote.signal(slot.config.src_ch);
+    const auto signal = menu.remote.signal(slot.config.src_ch);
     const VariableInfo* variable = find_variable(slot.config.param_id);
     if (!is_used(slot.config) || !signal || variable == nullptr) continue;
     const std::int32_t value = value_of(slot.config, *variable, *signal);
     // A host may also set the variable: the signal wins when it or the profile changes.
     if (slot.value == value) continue;
     slot.value = value;
-    device.parameters.set_variable(slot.config.param_id, value);
+    menu.parameters.set_variable(slot.config.param_id, value);
   }
 }
 

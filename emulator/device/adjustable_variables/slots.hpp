@@ -14,7 +14,7 @@ namespace sbgc::emulator {
 
 class Parameters;
 class RemoteControl;
-struct Device;
+struct MenuParts;
 
 /// Implements the configuration of CMD_WRITE_ADJ_VARS_CFG.
 class Slots {
@@ -34,7 +34,7 @@ class Slots {
   std::optional<double> signal(const RemoteControl& remote, std::size_t trigger) const;
 
   Instant next() const { return next_; }
-  void advance(Instant now, Device& device);
+  void advance(Instant now, MenuParts& menu);
 
  private:
   struct Trigger {
@@ -49,7 +49,8 @@ class Slots {
 
   std::array<Trigger, triggers> triggers_{};
   std::array<Analog, analogs> analogs_{};
-  std::uint8_t profile_{};  ///< the profile in which the values were set
+  std::uint8_t profile_{};      ///< the profile in which the values were set
+  std::size_t next_trigger_{};  ///< which advance() reads next
   Instant next_ = Instant::never;
 };
 

@@ -6,7 +6,11 @@
 #include <cstdint>
 #include <string_view>
 
-#include "device/device.hpp"
+#include "device/parameters/parameters.hpp"
+#include "device/peripherals/outputs.hpp"
+#include "device/realtime/measured_parts.hpp"
+#include "device/scripting/scripts.hpp"
+#include "device/system/restarts.hpp"
 #include "physics/quantities.hpp"
 
 namespace sbgc::emulator {
@@ -14,7 +18,7 @@ namespace {
 
 /// The source of the values.
 struct View {
-  Device& device;
+  MeasuredParts& parts;
   Sample sample;
   Instant now;
 };
@@ -37,7 +41,7 @@ using Axis = msg::DebugVarAxis;
 constexpr std::array<Variable, 18> variables{{
     {"UPTIME_MS", msg::DebugVarKind::uint32,
      [](const View& v) {
-       return std::floor(static_cast<double>((v.now - v.device.restarts.started()).us) / 1000);
+       return std::floor(static_cast<double>((v.now - v.parts.restarts.started()).us) / 1000);
      }},
     {"ROLL", msg::DebugVarKind::int16, [](const View& v) { return counts(v.sample.angles.roll); },
      Axis::roll, true},
@@ -61,21 +65,21 @@ constexpr std::array<Variable, 18> variables{{
     {"POWER_YAW", msg::DebugVarKind::uint8, [](const View& v) { return v.sample.power.yaw * 255; },
      Axis::yaw},
     {"BATTERY", msg::DebugVarKind::float32,
-     [](const View& v) { return v.device.measured_battery(v.sample); }},
+     [](const View& v) { return v.parts.measured_battery(v.sample); }},
     {"TEMPERATURE", msg::DebugVarKind::int8, [](const View& v) { return v.sample.temperature; }},
     {"ERRORS", msg::DebugVarKind::uint16,
-     [](const View& v) -> double { return v.device.errors(v.now).raw(); }},
+     [](const View& v) -> double { return v.parts.errors(v.now).raw(); }},
     {"PROFILE", msg::DebugVarKind::uint8,
-     [](const View& v) -> double { return v.device.parameters.profile(); }},
+     [](const View& v) -> double { return v.parts.parameters.profile(); }},
     {"SCRIPT_CMD", msg::DebugVarKind::uint16,
-     [](const View& v) -> double { return v.device.scripts.command(); }},
+     [](const View& v) -> double { return v.parts.scripts.command(); }},
     {"SOUND", msg::DebugVarKind::uint16,
      [](const View& v) -> double {
-       const auto sound = v.device.outputs.sound();
+       const auto sound = v.parts.outputs.sound();
        return sound ? sound->mode.raw() : 0;
      }},
     {"HIGH_PINS", msg::DebugVarKind::uint16,
-     [](const View& v) -> double { return v.device.outputs.high_pins(); }},
+     [](const View& v) -> double { return v.parts.outputs.high_pins(); }},
 }};
 
 /// Returns the nearest number of this type; integers out of range wrap.
@@ -104,8 +108,8 @@ msg::DebugVarsInfo3 debug_variables_info(std::size_t first) {
   return info;
 }
 
-msg::DebugVars3 debug_variable_values(Device& device, Instant now) {
-  const View view{device, device.gimbal.sample(now), now};
+msg::DebugVars3 debug_variable_values(MeasuredParts& parts, Instant now) {
+  const View view{parts, parts.gimbal.sample(now), now};
   msg::DebugVars3 values;
   for (const Variable& variable : variables) {
     values.var_value.push_back(number(number_type(variable.kind), variable.value(view)));

@@ -19,16 +19,15 @@ Reaction handle(RequestContext& context, const msg::DebugVarsInfo3Request& reque
   return context.answer(debug_variables_info(first));
 }
 
-// Each part may have debug variables.
-Reaction handle(RequestContext& context, const msg::DebugVars3Request&, Device& device) {
-  return context.answer(debug_variable_values(device, context.now));
+Reaction handle(RequestContext& context, const msg::DebugVars3Request&, MeasuredParts& parts) {
+  return context.answer(debug_variable_values(parts, context.now));
 }
 
 /// The masks, then the values of the selected variables.
 Reaction handle(RequestContext& context, const msg::DebugVars3RequestSelected& request,
-                Device& device) {
+                MeasuredParts& parts) {
   if (!is_valid(request)) return context.refuse(msg::BoardErrorCode::wrong_params);
-  const msg::DebugVars3 values = debug_variable_values(device, context.now);
+  const msg::DebugVars3 values = debug_variable_values(parts, context.now);
   std::vector<std::uint8_t> body;
   const auto append = [&body](std::uint32_t value, std::size_t size) {
     for (std::size_t i = 0; i < size; ++i) {

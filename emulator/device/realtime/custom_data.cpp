@@ -1,7 +1,13 @@
 #include "device/realtime/custom_data.hpp"
 
-#include "device/device.hpp"
+#include "device/control/modes.hpp"
+#include "device/control/quaternion_control.hpp"
+#include "device/control/targets.hpp"
+#include "device/features.hpp"
+#include "device/imu/imus.hpp"
+#include "device/parameters/parameters.hpp"
 #include "device/realtime/live_data.hpp"
+#include "device/realtime/measured_parts.hpp"
 #include "physics/quantities.hpp"
 #include "physics/quaternion.hpp"
 
@@ -26,7 +32,7 @@ msg::AhrsReferences references(bool is_used) {
   return out;
 }
 
-msg::SystemPowerState power(Device& device, const Sample& sample) {
+msg::SystemPowerState power(MeasuredParts& parts, const Sample& sample) {
   msg::SystemPowerState out;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     msg::MotorPowerState& motor = out.motors[axis];
@@ -35,8 +41,8 @@ msg::SystemPowerState power(Device& device, const Sample& sample) {
     motor.mot_temp = saturated<msg::Temperature>(sample.temperature);
     motor.mot_flags.set(msg::MotorPowerFlag::driver_enabled, sample.power[axis] > 0);
   }
-  out.state = power_state(device.control);
-  out.battery_voltage = saturated<msg::Voltage>(device.measured_battery(sample));
+  out.state = power_state(parts.control);
+  out.battery_voltage = saturated<msg::Voltage>(parts.measured_battery(sample));
   out.total_current = saturated<msg::Current>(1000 * sample.current);
   return out;
 }
@@ -72,20 +78,20 @@ msg::AhrsDebugInfo attitude_debug(const Sample& sample, const Imus& imus,
   return out;
 }
 
-void measure_later(Device& device, std::size_t port, msg::RealtimeDataCustomFlags blocks,
+void measure_later(MeasuredParts& parts, std::size_t port, msg::RealtimeDataCustomFlags blocks,
                    Instant now, msg::RealtimeDataCustom& data) {
   using Flag = msg::RealtimeDataCustomFlag;
-  const Sample sample = device.gimbal.sample(now);
-  const Tuning& tuning = device.tuning;
-  const bool has_joints = knows_joints(device.options, device.imus);
+  const Sample sample = parts.gimbal.sample(now);
+  const Tuning& tuning = parts.tuning;
+  const bool has_joints = knows_joints(parts.options, parts.imus);
   // There is no fourth motor.
   if (blocks.has(Flag::motor4_control)) data.motor4_control = msg::Motor4Control{};
   if (blocks.has(Flag::ahrs_debug_info))
-    data.ahrs_debug_info = attitude_debug(sample, device.imus, device.parameters);
+    data.ahrs_debug_info = attitude_debug(sample, parts.imus, parts.parameters);
   if (blocks.has(Flag::encoder_raw24)) {
     Axes<U24>& encoders = data.encoder_raw24.emplace();
     encoders = Axes<U24>{};
-    for (std::size_t axis = 0; has_encoders(device.options) && axis < 3; ++axis) {
+    for (std::size_t axis = 0; has_encoders(parts.options) && axis < 3; ++axis) {
       const auto counts = static_cast<std::int64_t>(sample.joints[axis] * counts_per_degree);
       encoders[axis] = U24(static_cast<std::uint32_t>(counts & 0xFFFFFF));
     }
@@ -96,7 +102,7 @@ void measure_later(Device& device, std::size_t port, msg::RealtimeDataCustomFlag
   // The emulated scripts have no variables.
   if (blocks.has(Flag::script_vars_float)) data.script_vars_float = std::array<float, 10>{};
   if (blocks.has(Flag::script_vars_int16)) data.script_vars_int16 = std::array<std::int16_t, 10>{};
-  if (blocks.has(Flag::system_power_state)) data.system_power_state = power(device, sample);
+  if (blocks.has(Flag::system_power_state)) data.system_power_state = power(parts, sample);
   if (blocks.has(Flag::frame_cam_rate)) {
     const Axes<double> frame = turning(sample.frame_speed);
     data.frame_cam_rate = saturated<msg::GyroRate>(Axes<double>{sample.speeds.roll - frame.roll,
@@ -110,14 +116,14 @@ void measure_later(Device& device, std::size_t port, msg::RealtimeDataCustomFlag
   if (blocks.has(Flag::comm_errors)) {
     msg::CommErrors& errors = data.comm_errors.emplace();
     errors = {};
-    errors.i2c_errors = device.i2c_errors(now);
-    errors.serial_errors = device.serial_errors(port, now);
+    errors.i2c_errors = parts.i2c_errors(now);
+    errors.serial_errors = parts.serial_errors(port, now);
   }
   if (blocks.has(Flag::system_state)) {
     msg::SystemStatus& state = data.system_state.emplace();
     state = {};
-    state.flags = state_flags(device.gimbal, device.modes, device.tuning, now);
-    state.calib_mode = calibration_mode(device.control, device.calibration);
+    state.flags = state_flags(parts.gimbal, parts.modes, parts.tuning, now);
+    state.calib_mode = calibration_mode(parts.control, parts.calibration);
   }
   const auto attitude = [&](const Axes<double>& angles) {
     return quaternion_of(Pose(angles, tuning.rotation_order).rotation());

@@ -11,14 +11,14 @@
 namespace sbgc::emulator {
 
 class Parameters;
-struct Device;
 struct Imus;
+struct MeasuredParts;
 
 /// The state of the attitude estimation, as hosts see it.
 msg::AhrsDebugInfo attitude_debug(const Sample& sample, const Imus& imus,
                                   const Parameters& parameters);
 /// Fills the blocks from MOTOR4_CONTROL on.
-void measure_later(Device& device, std::size_t port, msg::RealtimeDataCustomFlags blocks,
+void measure_later(MeasuredParts& parts, std::size_t port, msg::RealtimeDataCustomFlags blocks,
                    Instant now, msg::RealtimeDataCustom& data);
 
 }  // namespace sbgc::emulator

@@ -8,32 +8,30 @@
 
 namespace sbgc::emulator {
 
-// Live data are measured by all parts.
-
-Reaction handle(RequestContext& context, const msg::RealtimeData&, Device& device) {
-  return context.answer_anyway(realtime_data_3(device, context.port, context.now));
+Reaction handle(RequestContext& context, const msg::RealtimeData&, MeasuredParts& parts) {
+  return context.answer_anyway(realtime_data_3(parts, context.port, context.now));
 }
 
-Reaction handle(RequestContext& context, const msg::RealtimeData3Request&, Device& device) {
-  return context.answer(realtime_data_3(device, context.port, context.now));
+Reaction handle(RequestContext& context, const msg::RealtimeData3Request&, MeasuredParts& parts) {
+  return context.answer(realtime_data_3(parts, context.port, context.now));
 }
 
-Reaction handle(RequestContext& context, const msg::RealtimeData4Request&, Device& device) {
-  return context.answer(realtime_data_4(device, context.port, context.now));
+Reaction handle(RequestContext& context, const msg::RealtimeData4Request&, MeasuredParts& parts) {
+  return context.answer(realtime_data_4(parts, context.port, context.now));
 }
 
 Reaction handle(RequestContext& context, const msg::RealtimeDataCustomRequest& request,
-                Device& device) {
+                MeasuredParts& parts) {
   const auto blocks = known_blocks(context.versions(), request.flags);
   if (!blocks) return context.refuse(msg::BoardErrorCode::wrong_params, request.flags.raw());
-  return context.answer(custom_data(device, context.port, *blocks, context.now));
+  return context.answer(custom_data(parts, context.port, *blocks, context.now));
 }
 
 Reaction handle(RequestContext& context, const msg::RealtimeDataCustom2Request& request,
-                Device& device) {
+                MeasuredParts& parts) {
   msg::RealtimeDataCustom2Request known = request;
   limit_to(context.versions(), known);
-  return context.answer(custom_data_2(device, known.flags, context.now));
+  return context.answer(custom_data_2(parts, known.flags, context.now));
 }
 
 Reaction handle(RequestContext& context, const msg::DataStreamInterval& request, Streams& streams,

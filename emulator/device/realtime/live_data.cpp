@@ -6,9 +6,16 @@
 #include <sbgc/meta/realtime.hpp>
 #include <sbgc/responses/realtime.hpp>
 
-#include "device/device.hpp"
+#include "device/control/modes.hpp"
+#include "device/external_motors/external_motors.hpp"
+#include "device/features.hpp"
+#include "device/imu/imus.hpp"
 #include "device/modules/modules.hpp"
+#include "device/parameters/parameters.hpp"
+#include "device/peripherals/remote_control.hpp"
+#include "device/ports.hpp"
 #include "device/realtime/custom_data.hpp"
+#include "device/realtime/measured_parts.hpp"
 #include "physics/attitude.hpp"
 #include "physics/quantities.hpp"
 
@@ -59,33 +66,34 @@ Axes<std::int16_t> magnetometer(const Sample& sample) {
 
 /// Sets the initial fields that both long messages share.
 template <class M>
-void measure_common(Device& device, std::size_t port, Instant now, const Sample& sample, M& data) {
-  const auto& parameters = device.parameters.of<msg::ReadParams3>();
+void measure_common(MeasuredParts& parts, std::size_t port, Instant now, const Sample& sample,
+                    M& data) {
+  const auto& parameters = parts.parameters.of<msg::ReadParams3>();
   const Axes<msg::Acceleration> acceleration = accelerations(sample.acceleration);
   const Axes<msg::GyroRate> gyro = saturated<msg::GyroRate>(turning(sample.gyro));
   for (std::size_t axis = 0; axis < data.axes.size(); ++axis) {
     data.axes[axis].acc_data = acceleration[axis];
     data.axes[axis].gyro_data = gyro[axis];
-    data.rc[axis] = pulse(device.remote.own(device.parameters, axis));
+    data.rc[axis] = pulse(parts.remote.own(parts.parameters, axis));
     data.motor_power[axis] =
         saturated_raw<std::uint8_t>(sample.power[axis] * std::numeric_limits<std::uint8_t>::max());
   }
-  data.serial_error_cnt = device.serial_errors(port, now);
-  data.system_error = device.errors(now);
-  data.system_sub_error = device.options.faults.sub_error;
+  data.serial_error_cnt = parts.serial_errors(port, now);
+  data.system_error = parts.errors(now);
+  data.system_sub_error = parts.options.faults.sub_error;
   data.error_code = static_cast<std::uint8_t>(data.system_error.raw());
-  data.rc_cmd = pulse(device.remote.signal(parameters.rc_map_cmd));
-  data.ext_fc_roll = controller_pulse(device.remote, parameters.rc_map_fc_roll);
-  data.ext_fc_pitch = controller_pulse(device.remote, parameters.rc_map_fc_pitch);
+  data.rc_cmd = pulse(parts.remote.signal(parameters.rc_map_cmd));
+  data.ext_fc_roll = controller_pulse(parts.remote, parameters.rc_map_fc_roll);
+  data.ext_fc_pitch = controller_pulse(parts.remote, parameters.rc_map_fc_pitch);
   data.angle = wire_angles(sample.angles);
   data.rc_angle = wire_angles(sample.targets);
-  if (device.imus.has_frame) data.frame_imu_angle = wire_angles(sample.frame);
-  data.cycle_time = saturated<msg::Microseconds>(static_cast<double>(device.reported_cycle().us));
-  data.i2c_error_count = device.i2c_errors(now);
-  data.bat_level = saturated<msg::Voltage>(device.measured_battery(sample));
-  if (device.gimbal.motors_on()) data.other_flags.set(msg::OtherFlag::motors_on);
-  data.cur_imu = device.imus.selected;
-  data.cur_profile = device.parameters.profile();
+  if (parts.imus.has_frame) data.frame_imu_angle = wire_angles(sample.frame);
+  data.cycle_time = saturated<msg::Microseconds>(static_cast<double>(parts.reported_cycle().us));
+  data.i2c_error_count = parts.i2c_errors(now);
+  data.bat_level = saturated<msg::Voltage>(parts.measured_battery(sample));
+  if (parts.gimbal.motors_on()) data.other_flags.set(msg::OtherFlag::motors_on);
+  data.cur_imu = parts.imus.selected;
+  data.cur_profile = parts.parameters.profile();
 }
 
 msg::RealtimeDataCustomFlags blocks_of(const msg::DataStreamInterval& request) {
@@ -106,27 +114,27 @@ bool knows_joints(const BoardOptions& options, const Imus& imus) {
   return has_encoders(options) || imus.has_frame;
 }
 
-msg::RealtimeData3 realtime_data_3(Device& device, std::size_t port, Instant now) {
+msg::RealtimeData3 realtime_data_3(MeasuredParts& parts, std::size_t port, Instant now) {
   msg::RealtimeData3 data;
-  measure_common(device, port, now, device.gimbal.sample(now), data);
+  measure_common(parts, port, now, parts.gimbal.sample(now), data);
   return data;
 }
 
-msg::RealtimeData4 realtime_data_4(Device& device, std::size_t port, Instant now) {
+msg::RealtimeData4 realtime_data_4(MeasuredParts& parts, std::size_t port, Instant now) {
   msg::RealtimeData4 data;
-  const Sample sample = device.gimbal.sample(now);
-  measure_common(device, port, now, sample, data);
-  if (knows_joints(device.options, device.imus)) data.rotor_angle = wire_angles(sample.joints);
+  const Sample sample = parts.gimbal.sample(now);
+  measure_common(parts, port, now, sample, data);
+  if (knows_joints(parts.options, parts.imus)) data.rotor_angle = wire_angles(sample.joints);
   data.mag_data = magnetometer(sample);
   data.balance_error = saturated<msg::BalanceError>(sample.imbalance, 100);
-  if (device.options.features.has(msg::BoardFeature::current_sensor)) {
+  if (parts.options.features.has(msg::BoardFeature::current_sensor)) {
     data.current = saturated<msg::Current>(1000 * sample.current);
   }
   data.imu_temperature = saturated<msg::Temperature>(sample.temperature);
-  if (device.imus.has_frame) {
+  if (parts.imus.has_frame) {
     data.frame_imu_temperature = saturated<msg::Temperature>(sample.frame_temperature);
   }
-  const bool is_frame = device.imus.selected == msg::SelectedImu::frame;
+  const bool is_frame = parts.imus.selected == msg::SelectedImu::frame;
   data.imu_g_err =
       saturated<msg::AngleError>(is_frame ? sample.frame_gravity_error : sample.gravity_error);
   data.imu_h_err =
@@ -135,9 +143,9 @@ msg::RealtimeData4 realtime_data_4(Device& device, std::size_t port, Instant now
   for (std::size_t axis = 0; axis < data.motor_out.size(); ++axis) {
     data.motor_out[axis] = saturated_raw<std::int16_t>(full_output * sample.power[axis]);
   }
-  data.calib_mode = calibration_mode(device.control, device.calibration);
+  data.calib_mode = calibration_mode(parts.control, parts.calibration);
   data.actual_angle = wire_angles(sample.angles);
-  data.system_state_flags = state_flags(device.gimbal, device.modes, device.tuning, now);
+  data.system_state_flags = state_flags(parts.gimbal, parts.modes, parts.tuning, now);
   return data;
 }
 
@@ -160,31 +168,31 @@ std::optional<msg::RealtimeDataCustomFlags> known_blocks(Availability versions,
   return request.flags;
 }
 
-msg::RealtimeDataCustom custom_data(Device& device, std::size_t port,
+msg::RealtimeDataCustom custom_data(MeasuredParts& parts, std::size_t port,
                                     msg::RealtimeDataCustomFlags blocks, Instant now) {
   using Flag = msg::RealtimeDataCustomFlag;
   msg::RealtimeDataCustom data;
-  const Sample sample = device.gimbal.sample(now);
-  const auto& parameters = device.parameters.of<msg::ReadParams3>();
-  data.timestamp_ms = device.clock(now);
+  const Sample sample = parts.gimbal.sample(now);
+  const auto& parameters = parts.parameters.of<msg::ReadParams3>();
+  data.timestamp_ms = parts.clock(now);
   if (blocks.has(Flag::include_flags)) data.flags = blocks;
   if (blocks.has(Flag::imu_angles)) data.imu_angles = wire_angles(sample.angles);
   if (blocks.has(Flag::target_angles)) data.target_angles = wire_angles(sample.targets);
   if (blocks.has(Flag::target_speed))
     data.target_speed = saturated<msg::GyroRate>(sample.target_speeds);
   if (blocks.has(Flag::stator_rotor_angle)) {
-    data.stator_rotor_angle = knows_joints(device.options, device.imus) ? wire_angles(sample.joints)
-                                                                        : Axes<msg::Angle14>{};
+    data.stator_rotor_angle =
+        knows_joints(parts.options, parts.imus) ? wire_angles(sample.joints) : Axes<msg::Angle14>{};
   }
   if (blocks.has(Flag::gyro_data)) data.gyro_data = saturated<msg::GyroRate>(turning(sample.gyro));
   if (blocks.has(Flag::rc_data)) {
     auto& signals = data.rc_data.emplace();
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      signals[axis] = fine_signal(device.remote.own(device.parameters, axis));
+      signals[axis] = fine_signal(parts.remote.own(parts.parameters, axis));
     }
-    signals[3] = fine_signal(device.remote.signal(parameters.rc_map_cmd));
-    signals[4] = fine_signal(device.remote.signal(parameters.rc_map_fc_roll));
-    signals[5] = fine_signal(device.remote.signal(parameters.rc_map_fc_pitch));
+    signals[3] = fine_signal(parts.remote.signal(parameters.rc_map_cmd));
+    signals[4] = fine_signal(parts.remote.signal(parameters.rc_map_fc_roll));
+    signals[5] = fine_signal(parts.remote.signal(parameters.rc_map_fc_pitch));
   }
   if (blocks.has(Flag::z1_h1_vectors)) {
     data.z1_vector = vector(sample.up);
@@ -193,17 +201,17 @@ msg::RealtimeDataCustom custom_data(Device& device, std::size_t port,
   // No receiver is connected.
   if (blocks.has(Flag::rc_channels)) data.rc_channels.emplace().fill(fine_signal({}));
   if (blocks.has(Flag::acc_data)) data.acc_data = accelerations(sample.acceleration);
-  measure_later(device, port, blocks, now, data);
+  measure_later(parts, port, blocks, now, data);
   return data;
 }
 
-msg::RealtimeDataCustom2 custom_data_2(Device& device, msg::RealtimeDataCustom2Flags blocks,
+msg::RealtimeDataCustom2 custom_data_2(MeasuredParts& parts, msg::RealtimeDataCustom2Flags blocks,
                                        Instant now) {
   using Flag = msg::RealtimeDataCustom2Flag;
   msg::RealtimeDataCustom2 data;
-  const Sample sample = device.gimbal.sample(now);
-  const bool has_frame = device.imus.has_frame;
-  data.timestamp_ms = device.clock(now);
+  const Sample sample = parts.gimbal.sample(now);
+  const bool has_frame = parts.imus.has_frame;
+  data.timestamp_ms = parts.clock(now);
   if (blocks.has(Flag::include_flags)) data.flags = blocks;
   if (blocks.has(Flag::frame_imu_angles)) {
     data.frame_imu_angles = has_frame ? wire_angles(sample.frame) : Axes<msg::Angle14>{};
@@ -288,34 +296,33 @@ bool can_stream(const BoardOptions& options, const Imus& imus, Gimbal& gimbal,
   }
 }
 
-bool offer_sample(Device& device, std::size_t port, const msg::DataStreamInterval& request,
+bool offer_sample(MeasuredParts& parts, std::size_t port, const msg::DataStreamInterval& request,
                   Instant now) {
   // Checking the room first saves a measurement.
-  const std::size_t size = frame_size(device.ports.framing(port), stream_change(request).size);
-  if (device.ports.room(port) < size) return false;
-  const Availability versions = versions_of(device.options);
+  const std::size_t size = frame_size(parts.ports.framing(port), stream_change(request).size);
+  if (parts.ports.room(port) < size) return false;
+  const Availability versions = versions_of(parts.options);
   const auto& config = request.config;
   const auto offer = [&](auto data) {
     limit_to(versions, data);
-    return device.ports.offer(port, data);
+    return parts.ports.offer(port, data);
   };
   switch (request.cmd_id) {
-    case msg::RealtimeData3::command: return offer(realtime_data_3(device, port, now));
-    case msg::RealtimeData4::command: return offer(realtime_data_4(device, port, now));
+    case msg::RealtimeData3::command: return offer(realtime_data_3(parts, port, now));
+    case msg::RealtimeData4::command: return offer(realtime_data_4(parts, port, now));
     case msg::RealtimeDataCustom::command: {
       const auto blocks = known_blocks(versions, blocks_of(request));
-      return blocks && offer(custom_data(device, port, *blocks, now));
+      return blocks && offer(custom_data(parts, port, *blocks, now));
     }
     case msg::RealtimeDataCustom2::command:
-      return offer(custom_data_2(device, *config.custom2_flags, now));
+      return offer(custom_data_2(parts, *config.custom2_flags, now));
     case msg::CanDrvTelemetry::command:
-      return offer(telemetry(device.options, device.external_motors, device.gimbal, *config.drv_id,
-                             *config.telemetry_flags, device.clock(now), now));
+      return offer(telemetry(parts.options, parts.external_motors, parts.gimbal, *config.drv_id,
+                             *config.telemetry_flags, parts.clock(now), now));
     case msg::ExtMotorsState::command:
-      return offer(
-          device.external_motors.state(device.gimbal, *config.motor, *config.data_set, now));
+      return offer(parts.external_motors.state(parts.gimbal, *config.motor, *config.data_set, now));
     case msg::AhrsHelper::command:
-      return offer(directions(device.gimbal, is_of_frame(request), now));
+      return offer(directions(parts.gimbal, is_of_frame(request), now));
     default: return false;
   }
 }

@@ -13,15 +13,15 @@
 
 namespace sbgc::emulator {
 
-struct Device;
 struct Imus;
+struct MeasuredParts;
 
 // Precondition for the attitude: the board knows it.
-msg::RealtimeData3 realtime_data_3(Device& device, std::size_t port, Instant now);
-msg::RealtimeData4 realtime_data_4(Device& device, std::size_t port, Instant now);
-msg::RealtimeDataCustom custom_data(Device& device, std::size_t port,
+msg::RealtimeData3 realtime_data_3(MeasuredParts& parts, std::size_t port, Instant now);
+msg::RealtimeData4 realtime_data_4(MeasuredParts& parts, std::size_t port, Instant now);
+msg::RealtimeDataCustom custom_data(MeasuredParts& parts, std::size_t port,
                                     msg::RealtimeDataCustomFlags blocks, Instant now);
-msg::RealtimeDataCustom2 custom_data_2(Device& device, msg::RealtimeDataCustom2Flags blocks,
+msg::RealtimeDataCustom2 custom_data_2(MeasuredParts& parts, msg::RealtimeDataCustom2Flags blocks,
                                        Instant now);
 /// Returns the requested blocks that the firmware knows; nothing if they do not fit into a body.
 std::optional<msg::RealtimeDataCustomFlags> known_blocks(Availability versions,
@@ -40,7 +40,7 @@ bool knows_joints(const BoardOptions& options, const Imus& imus);
 bool can_stream(const BoardOptions& options, const Imus& imus, Gimbal& gimbal,
                 const msg::DataStreamInterval& request, Instant now);
 /// Sends a sample of the stream if there is room. Precondition: can_stream().
-bool offer_sample(Device& device, std::size_t port, const msg::DataStreamInterval& request,
+bool offer_sample(MeasuredParts& parts, std::size_t port, const msg::DataStreamInterval& request,
                   Instant now);
 
 }  // namespace sbgc::emulator

@@ -107,10 +107,10 @@ Instant Streams::next() const {
   return next;
 }
 
-void Streams::advance(Instant now, Device& device, Ports& ports) {
+void Streams::advance(Instant now, MeasuredParts& measured, Ports& ports) {
   for (Stream& stream : streams_) {
     if (stream.is_held_up || now < stream.due()) continue;
-    if (offer_sample(device, stream.port, stream.request, now)) {
+    if (offer_sample(measured, stream.port, stream.request, now)) {
       ++stream.samples;
     } else {
       // There is no room until bytes are sent, so do not check for each sample.

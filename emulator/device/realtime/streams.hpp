@@ -14,7 +14,7 @@
 namespace sbgc::emulator {
 
 class Ports;
-struct Device;
+struct MeasuredParts;
 
 class Streams {
  public:
@@ -32,7 +32,7 @@ class Streams {
 
   /// The time of the next sample that is not held up.
   Instant next() const;
-  void advance(Instant now, Device& device, Ports& ports);
+  void advance(Instant now, MeasuredParts& measured, Ports& ports);
   void restart(Instant now, Ports& ports);
 
  private:

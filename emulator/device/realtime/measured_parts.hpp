@@ -1,0 +1,59 @@
+/// The parts that live data read, and what is computed from several of them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <sbgc/emulator/board_options.hpp>
+#include <sbgc/emulator/gimbal.hpp>
+#include <sbgc/emulator/memory.hpp>
+#include <sbgc/messages/realtime.hpp>
+#include <sbgc/time.hpp>
+
+namespace sbgc::emulator {
+
+class Calibrations;
+class ExternalMotors;
+class Outputs;
+class Parameters;
+class Ports;
+class RemoteControl;
+class Restarts;
+class Scripts;
+struct CalibrationParts;
+struct ControlParts;
+struct Imus;
+struct Modes;
+
+struct MeasuredParts {
+  const BoardOptions& options;
+  const Memory& memory;
+  const Parameters& parameters;
+  Gimbal& gimbal;
+  const Tuning& tuning;
+  Ports& ports;
+  const RemoteControl& remote;
+  const Calibrations& calibrations;
+  const Scripts& scripts;
+  const Outputs& outputs;
+  ExternalMotors& external_motors;
+  const Modes& modes;
+  const Imus& imus;
+  const Restarts& restarts;
+  const ControlParts& control;
+  const CalibrationParts& calibration;
+
+  /// The time since the start, which wraps every 65.5 s.
+  msg::MillisecondClock clock(Instant now) const;
+  Duration reported_cycle() const;
+  std::uint16_t i2c_errors(Instant now) const;
+  std::uint16_t serial_errors(std::size_t port, Instant now) const;
+  /// The reading of the calibrated battery sensor in volts; 0 without a sensor.
+  double measured_battery(const Sample& sample) const;
+  Flags<msg::SystemError> errors(Instant now) const;
+};
+
+/// The reading of the battery sensor per volt; 0 without a sensor.
+double battery_factor(const BoardOptions& options, const Memory& memory);
+
+}  // namespace sbgc::emulator
