@@ -127,7 +127,7 @@ Instant PassiveClient::State::step(Running& running) {
     switch (step.kind) {
       case TaskStep::Kind::done: end(running); return Instant::never;
       case TaskStep::Kind::call: begin(running, std::move(step)); break;
-      case TaskStep::Kind::cancel: cancel(running, step.call); break;
+      case TaskStep::Kind::cancel: cancel(std::move(step)); break;
       case TaskStep::Kind::wait: return step.until;
     }
   }
@@ -135,8 +135,6 @@ Instant PassiveClient::State::step(Running& running) {
 
 void PassiveClient::State::end(Running& running) {
   calls_->order().leave(running.joined);
-  while (!running.calls.empty()) cancel(running, *running.calls.begin());
-  while (!running.streams.empty()) leave_stream(running, running.streams.begin()->first);
   running.is_over = true;
   has_news_ = true;
   running.notices.reset();
@@ -149,7 +147,12 @@ void PassiveClient::State::begin(Running& running, TaskStep step) {
   const CallId id = step.call;
   if (!step.request) return task.replied(id, std::move(step.request).error());
   if (step.request->is_motion) join_order(running);
-  if (step.stream_end) begin_stream(running, step);
+  using Key = detail::StreamListeners::Key;
+  std::optional<Key> stream;
+  if (step.stream_end) {
+    stream = detail::StreamListeners::key_of(*step.request);
+    task.keep(id, begin_stream(running, step));
+  }
   step.options.on_confirmation = [this, &task, id](unsigned) {
     has_news_ = true;
     task.confirmed(id);
@@ -158,26 +161,21 @@ void PassiveClient::State::begin(Running& running, TaskStep step) {
     has_news_ = true;
     task.received(id, {frame.body.begin(), frame.body.end()});
   };
-  const auto replied = [this, &running, id](Result<Reply> reply) {
+  const auto replied = [this, &task, id, stream](Result<Reply> reply) {
     has_news_ = true;
-    running.calls.erase(id);
     // The board may have received the request, so the stream must be ended as well.
     const bool may_run = reply || reply.error().code == ErrorCode::timeout;
-    const auto stream = running.streams.find(id);
-    if (stream != running.streams.end()) {
-      if (may_run) streams_.set_running(stream->second.key);
-      if (!reply) leave_stream(running, id);
-    }
-    running.machine->replied(id, std::move(reply));
+    if (stream && may_run) streams_.set_running(*stream);
+    if (!reply) task.keep(id, {});
+    task.replied(id, std::move(reply));
   };
   const detail::CallPointer call =
       detail::make_call(id, *std::move(step.request), step.options, options_, now_, replied);
   call->task = task.number();
   if (auto refusal = calls_.begin(call)) {
-    leave_stream(running, id);
-    return task.replied(id, *std::move(refusal));
+    task.keep(id, {});
+    task.replied(id, *std::move(refusal));
   }
-  running.calls.insert(id);
 }
 
 /// Before its motion can be superseded, the task must be known.
@@ -192,34 +190,49 @@ void PassiveClient::State::join_order(Running& running) {
   });
 }
 
-void PassiveClient::State::begin_stream(Running& running, TaskStep& step) {
+/// Keeps a data stream running as long as it lives.
+class PassiveClient::State::Stream : public Subscription::Registration {
+ public:
+  Stream(State& state, const detail::StreamListeners::Key& key,
+         detail::Delivery::Registration samples)
+      : state_(state), key_(key), samples_(std::move(samples)) {}
+  Stream(const Stream&) = delete;
+  Stream& operator=(const Stream&) = delete;
+  // NOLINTNEXTLINE(bugprone-exception-escape): throws only when out of memory
+  ~Stream() override {
+    samples_.reset();
+    state_.leave_stream(key_);
+  }
+
+ private:
+  State& state_;
+  const detail::StreamListeners::Key key_;
+  detail::Delivery::Registration samples_;
+};
+
+Subscription PassiveClient::State::begin_stream(Running& running, TaskStep& step) {
   const auto key = detail::StreamListeners::key_of(*step.request);
   streams_.join(key, *std::move(step.stream_end));
   const detail::MessageKey wanted{.id = step.request->policy.stream.command, .is_raw = true};
-  auto take = [this, &running, id = step.call](const Frame& frame) {
+  auto take = [this, &task = *running.machine, id = step.call](const Frame& frame) {
     has_news_ = true;
-    running.machine->received(id, {frame.body.begin(), frame.body.end()});
+    task.received(id, {frame.body.begin(), frame.body.end()});
   };
-  running.streams[step.call] = {
-      key, delivery_.subscribe(wanted, detail::typed_handler<Frame>(std::move(take)))};
+  return Subscription(std::make_unique<Stream>(
+      *this, key, delivery_.subscribe(wanted, detail::typed_handler<Frame>(std::move(take)))));
 }
 
-void PassiveClient::State::cancel(Running& running, CallId id) {
-  running.calls.erase(id);
-  if (const auto call = calls_->take(id)) {
-    dialogue_.forget(*call);
-    const auto stream = running.streams.find(id);
-    const bool may_run = stream != running.streams.end() && call->was_sent;
-    if (may_run) streams_.set_running(stream->second.key);
+void PassiveClient::State::cancel(TaskStep step) {
+  const detail::CallPointer call = calls_->take(step.call);
+  if (!call) return;
+  dialogue_.forget(*call);
+  if (step.stream && call->was_sent) {
+    streams_.set_running(detail::StreamListeners::key_of(call->request));
   }
-  leave_stream(running, id);
 }
 
-/// Ends the stream of a call, if it has one.
-void PassiveClient::State::leave_stream(Running& running, CallId id) {
-  const auto stream = running.streams.extract(id);
-  if (!stream) return;
-  const auto key = stream.mapped().key;
+/// Ends the data stream when nobody wants it any more.
+void PassiveClient::State::leave_stream(const detail::StreamListeners::Key& key) {
   auto end = streams_.leave(key);
   if (!end) return;
   has_news_ = true;

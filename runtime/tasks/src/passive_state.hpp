@@ -3,9 +3,7 @@
 
 #include <cstddef>
 #include <functional>
-#include <map>
 #include <memory>
-#include <set>
 #include <span>
 #include <vector>
 
@@ -41,18 +39,13 @@ class PassiveClient::State {
   std::size_t pending() const { return calls_->size(); }
 
  private:
-  struct Stream {
-    detail::StreamListeners::Key key{};
-    detail::Delivery::Registration samples{};
-  };
+  class Stream;
   struct Running {
     TaskMachine* machine{};
     std::function<void()> finish{};
     detail::Delivery::Registration notices{};
     detail::Delivery::Registration strays{};
-    TaskNumber joined{};       // under which the order of motion knows the task; or 0
-    std::set<CallId> calls{};  // that have not ended
-    std::map<CallId, Stream> streams{};
+    TaskNumber joined{};  // under which the order of motion knows the task; or 0
     bool is_over = false;
   };
 
@@ -60,10 +53,10 @@ class PassiveClient::State {
   Instant step(Running& running);
   void end(Running& running);
   void begin(Running& running, TaskStep step);
-  void begin_stream(Running& running, TaskStep& step);
+  Subscription begin_stream(Running& running, TaskStep& step);
   void join_order(Running& running);
-  void cancel(Running& running, CallId id);
-  void leave_stream(Running& running, CallId id);
+  void cancel(TaskStep step);
+  void leave_stream(const detail::StreamListeners::Key& key);
 
   const ConnectOptions options_;
   const bool line_may_repeat_;

@@ -106,9 +106,10 @@ void Conversation::State::end(CallId id, ClientError error) {
   if (const CallPointer call = calls_->take(id)) complete(call, std::move(error));
 }
 
-void Conversation::State::end_overdue(CallId id) {
-  const CallPointer call = calls_->take(id);
-  if (call) complete(call, is_stuck() ? Result<Reply>(stuck_error()) : overdue_result(*call));
+void Conversation::State::end_overdue(Instant at) {
+  while (const CallPointer call = calls_->take_overdue(at)) {
+    complete(call, is_stuck() ? Result<Reply>(stuck_error()) : overdue_result(*call));
+  }
 }
 
 /// Completes a call that was taken out.

@@ -61,10 +61,10 @@ class Conversation::State : public Channel::User,
   SharedCalls& calls() noexcept { return calls_; }
   /// Ends a call with this error, unless it has already ended.
   void end(CallId id, ClientError error);
-  /// Ends a call whose deadline has passed, unless it has already ended. The thread that waits for
-  /// a call does this itself: to wait for the strand would cost another delay of the scheduler, and
-  /// a handler may block the strand.
-  void end_overdue(CallId id);
+  /// Ends the calls whose deadlines have passed. The thread that waits for a call does this itself:
+  /// to wait for the strand would cost another delay of the scheduler, and a handler may block the
+  /// strand.
+  void end_overdue(Instant at);
 
   /// For subscriptions.
   Delivery& delivery() noexcept { return delivery_; }

@@ -50,8 +50,7 @@ TaskStep TaskDriver::advance(const std::function<Instant()>& now) {
     if (step.kind == TaskStep::Kind::call) {
       begin_call(std::move(step));
     } else if (step.kind == TaskStep::Kind::cancel) {
-      if (deadlines_.erase(step.call) != 0) conversation_.cancel(step.call);
-      streams_.erase(step.call);
+      conversation_.cancel(step.call);
     } else {
       follow_overhearing();
       return step;
@@ -84,10 +83,7 @@ void TaskDriver::begin_call(TaskStep step) {
   const CallId id = step.call;
   Conversation::State& state = *conversation_.state();
   if (state.runs_in_this_thread()) return task_.replied(id, handler_waits_error());
-  if (step.stream_end) {
-    deadlines_[id] = begin_stream(std::move(step));
-    return;
-  }
+  if (step.stream_end) return begin_stream(std::move(step));
   if (step.request && step.request->is_motion) join_order();
   step.options.on_confirmation = [self = shared_from_this(), id](unsigned) {
     self->put([id](TaskMachine& task) { task.confirmed(id); });
@@ -99,17 +95,14 @@ void TaskDriver::begin_call(TaskStep step) {
     });
   };
   auto replied = [self = shared_from_this(), id](Result<Reply> reply) {
-    self->put([&from = *self, id, reply = std::move(reply)](TaskMachine& task) mutable {
-      from.deadlines_.erase(id);
+    self->put([id, reply = std::move(reply)](TaskMachine& task) mutable {
       task.replied(id, std::move(reply));
     });
   };
-  deadlines_[id] =
-      state.start(id, std::move(step.request), step.options, std::move(replied), task_.number());
+  state.start(id, std::move(step.request), step.options, std::move(replied), task_.number());
 }
 
-/// Returns when the call that starts the stream ends at the latest.
-Instant TaskDriver::begin_stream(TaskStep step) {
+void TaskDriver::begin_stream(TaskStep step) {
   const CallId id = step.call;
   MessageKey key{.is_raw = true};
   if (step.request) key.id = step.request->policy.stream.command;
@@ -121,18 +114,16 @@ Instant TaskDriver::begin_stream(TaskStep step) {
   };
   auto started = [self = shared_from_this(), id](Result<Subscription> stream) {
     // Shared, because a function must be copyable.
-    self->put(
-        [&from = *self, id,
-         stream = std::make_shared<Result<Subscription>>(std::move(stream))](TaskMachine& task) {
-          const bool is_wanted = from.deadlines_.erase(id) != 0;
-          if (!*stream) return task.replied(id, stream->error());
-          if (is_wanted) from.streams_.emplace(id, std::move(**stream));
-          task.replied(id, Reply{});
-        });
+    self->put([id, stream = std::make_shared<Result<Subscription>>(std::move(stream))](
+                  TaskMachine& task) {
+      if (!*stream) return task.replied(id, stream->error());
+      task.keep(id, std::move(**stream));
+      task.replied(id, Reply{});
+    });
   };
-  return conversation_.state()->start_stream(
-      id, {std::move(step.request), *std::move(step.stream_end)}, key,
-      typed_handler<Frame>(std::move(take)), step.options, std::move(started));
+  conversation_.state()->start_stream(id, {std::move(step.request), *std::move(step.stream_end)},
+                                      key, typed_handler<Frame>(std::move(take)), step.options,
+                                      std::move(started));
 }
 
 /// Before its motion can be superseded, the task must be known.
@@ -152,11 +143,12 @@ void TaskDriver::leave_order() {
 }
 
 void TaskDriver::wait(const TaskStep& step, Clock& clock) {
-  if (deadlines_.empty() && !step.can_be_woken) {
+  if (!task_.is_calling() && !step.can_be_woken) {
     return clock.sleep_until(io::to_chrono(step.until));
   }
-  Instant last = Instant::never;
-  for (const auto& [call, deadline] : deadlines_) last = earlier(last, deadline);
+  // Of all calls of the conversation: to end one of another thread does no harm.
+  Conversation::State& state = *conversation_.state();
+  const Instant last = state.calls()->deadline();
   {
     std::unique_lock lock(mutex_);
     if (!inputs_.empty()) return;
@@ -168,17 +160,17 @@ void TaskDriver::wait(const TaskStep& step, Clock& clock) {
       clock.wait_until(lock, changed_, io::to_chrono(earlier(step.until, now + left)));
     }
   }
-  for (const auto& [call, deadline] : deadlines_) {
-    if (deadline <= io::now()) conversation_.state()->end_overdue(call);
-  }
+  state.end_overdue(io::now());
 }
 
 void TaskDriver::end() {
   leave_order();
   notices_.cancel();
   overhearing_.cancel();
-  for (const auto& [call, deadline] : std::exchange(deadlines_, {})) conversation_.cancel(call);
-  streams_.clear();
+  task_.abandon();
+  for (TaskStep left = task_.step({}); left.kind != TaskStep::Kind::done; left = task_.step({})) {
+    conversation_.cancel(left.call);
+  }
 }
 
 void drive(const Conversation& conversation, TaskMachine& task, Clock& clock) {

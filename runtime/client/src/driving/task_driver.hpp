@@ -5,7 +5,6 @@
 #include <functional>
 #include <memory>
 #include <mutex>
-#include <unordered_map>
 #include <vector>
 
 #include <sbgc/client/clock.hpp>
@@ -46,7 +45,7 @@ class TaskDriver : public std::enable_shared_from_this<TaskDriver> {
   /// Listens for messages that belong to no call, as long as the task wants them.
   void follow_overhearing();
   void begin_call(TaskStep step);
-  Instant begin_stream(TaskStep step);
+  void begin_stream(TaskStep step);
   void join_order();
   void leave_order();
   void wait(const TaskStep& step, Clock& clock);
@@ -56,8 +55,6 @@ class TaskDriver : public std::enable_shared_from_this<TaskDriver> {
   Subscription notices_;
   Subscription overhearing_;
   TaskNumber joined_{};  // under which the order of motion knows the task; or 0
-  std::unordered_map<CallId, Instant> deadlines_{};  // of the running calls
-  std::unordered_map<CallId, Subscription> streams_{};
 
   std::mutex mutex_;
   std::condition_variable changed_;

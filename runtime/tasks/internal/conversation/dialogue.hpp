@@ -6,7 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <unordered_map>
+#include <vector>
 
 #include <sbgc/session.hpp>
 
@@ -48,6 +48,8 @@ class Dialogue {
 
   void send_waiting();
   bool has_room(const Call& call) const noexcept;
+  /// The call of the session's request; null if it is not of a call, or was forgotten.
+  CallPointer call_of(Handle handle) const;
   void end_overdue(Instant now);
   void handle(const Event& event);
   /// Passes the frame of an event to those who want frames as they are.
@@ -62,8 +64,8 @@ class Dialogue {
   SharedCalls& calls_;
   Delivery& delivery_;
   BasicSession<capacity> session_;
-  std::unordered_map<std::uint64_t, CallPointer> in_session_;  // keyed by the number of the handle
-  bool has_room_ = false;                                      // a request has left the session
+  std::vector<CallPointer> in_session_;
+  bool has_room_ = false;  // a request has left the session
 };
 
 }  // namespace sbgc::detail

@@ -77,7 +77,7 @@ void Dialogue::send_waiting() {
     if (sent) {
       call->handle = sent.handle;
       call->was_sent = true;
-      in_session_.emplace(sent.handle.number, call);
+      in_session_.push_back(call);
       if (request.policy.changes_stream() && request.teach) request.teach(delivery_.contexts());
     } else if (calls_->take(call->id)) {
       calls_.complete(*call, refusal(*call, sent));
@@ -91,6 +91,12 @@ bool Dialogue::has_room(const Call& call) const noexcept {
                            : policy.has_effect ? most_effects
                                                : most_reads;
   return in_session_.size() < most;
+}
+
+CallPointer Dialogue::call_of(Handle handle) const {
+  const auto place = std::find_if(in_session_.begin(), in_session_.end(),
+                                  [&](const CallPointer& one) { return one->handle == handle; });
+  return place == in_session_.end() ? nullptr : *place;
 }
 
 ClientError Dialogue::refusal(const Call& call, const SendResult& refused) const {
@@ -114,7 +120,8 @@ ClientError Dialogue::refusal(const Call& call, const SendResult& refused) const
 }
 
 void Dialogue::forget(const Call& call) {
-  if (in_session_.erase(call.handle.number) == 0) return;
+  const auto is_call = [&](const CallPointer& one) { return one.get() == &call; };
+  if (std::erase_if(in_session_, is_call) == 0) return;
   session_.cancel(call.handle, [](const Event&) {});
 }
 
@@ -132,8 +139,7 @@ void Dialogue::show(const Event& event) {
   const bool is_repeated = event.kind == EventKind::completed &&
                            (roles::is_confirmation(frame) || roles::is_reset(frame));
   if (is_repeated) return;
-  const auto place = in_session_.find(event.handle.number);
-  const CallPointer call = place == in_session_.end() ? nullptr : place->second;
+  const CallPointer call = call_of(event.handle);
   if (call && call->request.on_frame) call->request.on_frame(frame);
   delivery_.show({frame, call != nullptr, event.is_late, event.sample});
 }
@@ -148,27 +154,22 @@ void Dialogue::handle(const Event& event) {
       // Confirmations and resets are delivered with their own events.
       const bool is_told = roles::is_confirmation(frame) || roles::is_reset(frame);
       if (is_for_all && !is_told) {
-        const auto place = in_session_.find(event.handle.number);
-        const bool has_call = place != in_session_.end();
-        const auto known = has_call ? known_to(*place->second, frame) : nullptr;
+        const CallPointer call = call_of(event.handle);
+        const auto known = call ? known_to(*call, frame) : nullptr;
         delivery_.deliver(frame, known.get());
       }
       return handle_completion(event);
     }
     case EventKind::confirmation: {
       delivery_.deliver(frame);
-      const auto place = in_session_.find(event.handle.number);
-      if (place == in_session_.end()) return;
-      const CallPointer call = place->second;
-      if (call->on_confirmation) call->on_confirmation(event.confirmation);
+      const CallPointer call = call_of(event.handle);
+      if (call && call->on_confirmation) call->on_confirmation(event.confirmation);
       return;
     }
     case EventKind::series: {
       delivery_.deliver(frame);
-      const auto place = in_session_.find(event.handle.number);
-      if (place == in_session_.end()) return;
-      const CallPointer call = place->second;
-      if (call->on_series) call->on_series(frame);
+      const CallPointer call = call_of(event.handle);
+      if (call && call->on_series) call->on_series(frame);
       return;
     }
     case EventKind::board_error: {
@@ -191,10 +192,9 @@ void Dialogue::handle(const Event& event) {
 
 void Dialogue::handle_completion(const Event& event) {
   has_room_ = true;
-  const auto place = in_session_.find(event.handle.number);
-  if (place == in_session_.end()) return;
-  const CallPointer call = std::move(place->second);
-  in_session_.erase(place);
+  const CallPointer call = call_of(event.handle);
+  if (!call) return;
+  std::erase(in_session_, call);
   if (calls_->take(call->id)) calls_.complete(*call, result_of(*call, event));
 }
 

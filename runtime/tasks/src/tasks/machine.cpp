@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <sbgc/client/task.hpp>
 
 namespace sbgc {
@@ -5,7 +7,11 @@ namespace sbgc {
 TaskStep TaskMachine::step(Instant now) {
   now_ = later(now_, now);
   while (steps_.empty()) {
-    if (!coroutine_) return {.kind = TaskStep::Kind::done};
+    if (!coroutine_) {
+      if (calls_.empty()) return {.kind = TaskStep::Kind::done};
+      end(calls_.begin()->first);
+      continue;
+    }
     if (!is_ready()) {
       return {.kind = TaskStep::Kind::wait, .until = wait_.until, .can_be_woken = wait_.for_wake};
     }
@@ -63,6 +69,16 @@ void TaskMachine::received(CallId id, std::vector<std::uint8_t> body) {
   call->second.series.push_back(std::move(body));
 }
 
+void TaskMachine::keep(CallId id, Subscription stream) {
+  const auto call = calls_.find(id);
+  if (call != calls_.end()) call->second.stream = std::move(stream);
+}
+
+bool TaskMachine::is_calling() const {
+  return std::any_of(calls_.begin(), calls_.end(),
+                     [](const auto& one) { return !one.second.reply; });
+}
+
 void TaskMachine::notice(const Notice& notice) {
   for (const NoticeHandler& handler : listeners_) handler(notice);
 }
@@ -74,7 +90,7 @@ void TaskMachine::overheard(std::uint8_t id, std::span<const std::uint8_t> body)
 CallId TaskMachine::begin_call(Result<detail::Request> request, const CallOptions& options,
                                std::optional<detail::Request> stream_end) {
   const CallId id = detail::next_call_id();
-  calls_.emplace(id, Call{.is_stream = stream_end.has_value()});
+  calls_.emplace(id, Call{});
   steps_.push_back({.kind = TaskStep::Kind::call,
                     .call = id,
                     .request = std::move(request),
@@ -102,8 +118,9 @@ const Result<Reply>* TaskMachine::reply(CallId id) const {
 void TaskMachine::end(CallId id) {
   const auto call = calls_.find(id);
   if (call == calls_.end()) return;
-  if (!call->second.reply || call->second.is_stream) {
-    steps_.push_back({.kind = TaskStep::Kind::cancel, .call = id});
+  if (!call->second.reply || call->second.stream) {
+    steps_.push_back(
+        {.kind = TaskStep::Kind::cancel, .call = id, .stream = std::move(call->second.stream)});
   }
   calls_.erase(call);
 }

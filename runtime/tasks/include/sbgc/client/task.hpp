@@ -35,6 +35,7 @@
 #include <sbgc/client/options.hpp>
 #include <sbgc/client/reply.hpp>
 #include <sbgc/client/request.hpp>
+#include <sbgc/client/subscription.hpp>
 #include <sbgc/client/typed.hpp>
 #include <sbgc/internal/message_type.hpp>
 #include <sbgc/result.hpp>
@@ -61,6 +62,8 @@ struct TaskStep {
   Instant until = Instant::never;
   /// For `wait`: true if TaskMachine::wake() ends it.
   bool can_be_woken = false;
+  /// For `cancel`: what TaskMachine::keep() has kept for the call. Drop it after canceling.
+  Subscription stream{};
 };
 
 /// The state of a running task. Not thread-safe.
@@ -73,8 +76,15 @@ class TaskMachine {
 
   // For the driver.
 
-  /// Runs the task as far as possible. `now` must not decrease.
+  /// Runs the task as far as possible. `now` must not decrease. At its end, what is left of its
+  /// calls is canceled first.
   TaskStep step(Instant now);
+  /// Ends a task that threw: step() cancels its calls, and does not resume it.
+  void abandon() noexcept { coroutine_ = nullptr; }
+  /// Keeps the data stream of a call until the call is canceled; drops it if it already was.
+  void keep(CallId id, Subscription stream);
+  /// True if a call is running.
+  bool is_calling() const;
   /// Reports that a call has ended.
   void replied(CallId id, Result<Reply> reply);
   /// Reports a confirmation of a call that has not ended yet.
@@ -171,7 +181,7 @@ class TaskMachine {
     bool has_series{};
     std::vector<std::vector<std::uint8_t>> series{};
     std::optional<Result<Reply>> reply{};
-    bool is_stream{};
+    Subscription stream{};
 
     bool has_started() const noexcept { return confirmations != 0 || has_series; }
   };
