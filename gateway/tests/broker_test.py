@@ -306,7 +306,7 @@ def test_a_gimbal_that_hangs_does_not_delay_another(tmp_path: Path) -> None:
     seen = Subscriber(broker.port)
     with emulated_gimbal() as front, emulated_gimbal() as rear:
         text = FLEET.format(port=broker.port, front=front.address, rear=rear.address, broker="")
-        text += 'allow = ["raw"]\n'
+        text += 'allow = ["raw"]\nattempt-time = "60s"\n'
         with running_gateway(tmp_path, text):
             wait_for_gimbal(seen)
             wait_for_gimbal(seen, "rear")

@@ -26,18 +26,24 @@ BLOCK = re.compile(r"^```console\n(.*?)^```$", re.DOTALL | re.MULTILINE)
 
 @contextmanager
 def gimbal(program: Path) -> Iterator[str]:
-    """Runs the emulated gimbal of the tour; yields its address."""
-    process = subprocess.Popen(
-        [program, "emulate", "--tcp", "0", "--firmware", "2.70b8"],
-        stdout=subprocess.PIPE,
-        text=True,
-    )
-    assert process.stdout is not None
-    try:
-        yield process.stdout.readline().split(": ", 1)[1].strip()
-    finally:
-        process.kill()
-        process.communicate()
+    """Runs the emulated gimbal of the tour; yields its address, which is as wide as on the page."""
+    # Some systems give ports with fewer digits.
+    for port in (0, *range(45454, 45554)):
+        with subprocess.Popen(
+            [program, "emulate", "--tcp", str(port), "--firmware", "2.70b8"],
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+            text=True,
+        ) as process:
+            assert process.stdout is not None
+            address = process.stdout.readline().partition(": ")[2].strip()
+            try:
+                if re.search(r":\d{5}$", address):
+                    yield address
+                    return
+            finally:
+                process.kill()
+    raise OSError("no port is free")
 
 
 @contextmanager

@@ -207,19 +207,22 @@ def test_nothing_that_began_before_a_stop_moves_after_it(seed: int) -> None:
 
 
 def test_controls_that_nobody_confirms_keep_their_rate() -> None:
-    """100 per second arrive at 100 per second, the most that pauses between requests permit."""
-    count = 300
+    """Nothing waits for confirmations. Pauses between requests permit 100 per second."""
+    count = 200
     line = Line()
     with hosts_at(line, 1) as (host,):
         line.lost = {(CONFIRM, CONTROL)}
         begin = time.monotonic()
+        sent = []
         for index in range(count):
-            time.sleep(max(0, begin + index * 0.01 - time.monotonic()))
+            time.sleep(max(0, begin + index * 0.02 - time.monotonic()))
+            sent.append(time.monotonic())
             host.send(CONTROL, control(index + 1))
         deadline = time.monotonic() + 10
         while len(line.frames(CONTROL)) < count and time.monotonic() < deadline:
             time.sleep(0.01)
         arrived = [when for when, command, _ in line.requests if command == CONTROL]
         assert len(arrived) == count
-        # A busy machine delays some of them, but not each second.
-        assert min(later - when for when, later in zip(arrived, arrived[100:])) < 1.02
+        # A busy machine delays some of them; to wait for confirmations would delay all, more and more.
+        delays = [arrival - when for when, arrival in zip(sent, arrived)]
+        assert min(delays[-100:]) < min(delays[:100]) + 0.05
