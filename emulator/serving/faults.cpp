@@ -23,7 +23,7 @@ namespace {
 
 using emulator::BoardOptions;
 
-constexpr std::array<std::string_view, 3> axis_names{"roll", "pitch", "yaw"};
+using sbgc::detail::axis_names;
 
 std::vector<std::string> split_at(std::string_view text, char separator) {
   std::vector<std::string> parts;

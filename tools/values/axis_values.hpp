@@ -9,12 +9,13 @@
 
 #include <CLI/CLI.hpp>
 
+#include <sbgc/internal/words.hpp>
 #include <sbgc/types.hpp>
 #include <sbgc/units.hpp>
 
 namespace sbgc::tools {
 
-inline constexpr std::array<const char*, 3> axis_names{"roll", "pitch", "yaw"};
+using sbgc::detail::axis_names;
 
 using AxisNumbers = Axes<std::optional<double>>;
 

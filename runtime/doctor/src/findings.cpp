@@ -5,6 +5,7 @@
 
 #include <sbgc/doctor/findings.hpp>
 #include <sbgc/doctor/frequency_text.hpp>
+#include <sbgc/internal/words.hpp>
 #include <sbgc/meta/enums.hpp>
 #include <sbgc/roles.hpp>
 #include <sbgc/text.hpp>
@@ -13,7 +14,7 @@ namespace sbgc::doctor {
 
 namespace {
 
-constexpr std::array<const char*, 3> axis_names{"roll", "pitch", "yaw"};
+using sbgc::detail::axis_names;
 
 constexpr std::array table{
     Threshold{Limit::power, "motor-power", 90, "%", "mean power of a motor"},

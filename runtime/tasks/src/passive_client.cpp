@@ -35,14 +35,22 @@ void PassiveClient::connect(std::function<void(const Result<void>&)> done) {
   start(introduce(state_->options().password), [this, done = std::move(done)](auto info) mutable {
     if (!info) return done(std::move(info).error());
     set_identity({.info = *std::move(info)});
-    if (!is_supported<roles::DetailsRequest>(identity().versions())) return done({});
-    start(ask_details(), [this, done = std::move(done)](auto details) {
-      if (!details) return done(std::move(details).error());
-      state_->identity().details = *std::move(details);
-      done({});
+    state_->change_framing([this, done = std::move(done)] {
+      if (!is_supported<roles::DetailsRequest>(identity().versions())) return done({});
+      start(ask_details(), [this, done](auto details) {
+        if (!details) return done(std::move(details).error());
+        state_->identity().details = *std::move(details);
+        done({});
+      });
     });
   });
 }
+
+void PassiveClient::detect_line(SetLine set_line, std::function<void(const Result<void>&)> done) {
+  state_->detect_line(std::move(set_line), std::move(done));
+}
+
+void PassiveClient::set_line(const LineSettings& line) { state_->set_line(line); }
 
 const BoardIdentity& PassiveClient::identity() const noexcept { return state_->identity(); }
 
@@ -78,6 +86,56 @@ Instant PassiveClient::deadline() const noexcept { return state_->deadline(); }
 
 // The state
 
+void PassiveClient::State::detect_line(SetLine set_line,
+                                       std::function<void(const Result<void>&)> done) {
+  auto question = detail::opening_frame(options_.password);
+  Detector detector({.question = question});  // of bytes that the move leaves where they are
+  search_ = std::make_unique<Search>(
+      Search{std::move(question), std::move(detector), std::move(set_line), std::move(done)});
+  has_news_ = true;
+}
+
+std::span<const std::uint8_t> PassiveClient::State::search() {
+  Detector& detector = search_->detector;
+  while (true) {
+    const DetectorStep step = detector.next(now_);
+    switch (step.kind) {
+      case DetectorStep::Kind::set_line:
+        if (!search_->set_line(step.line)) detector.refuse();
+        break;
+      case DetectorStep::Kind::write: is_writing_ = true; return step.bytes;
+      case DetectorStep::Kind::wait: deadline_ = step.until; return {};
+      case DetectorStep::Kind::found:
+        dialogue_.set_line(step.line);
+        end_search({});
+        return {};
+      case DetectorStep::Kind::failed:
+        end_search(ClientError{ErrorCode::not_found, "no board answers at any baud rate"});
+        return {};
+    }
+  }
+}
+
+void PassiveClient::State::end_search(const Result<void>& result) {
+  has_news_ = true;
+  std::exchange(search_, nullptr)->done(result);
+}
+
+void PassiveClient::State::change_framing(std::function<void()> done) {
+  const Framing newest = newest_framing(identity_.versions());
+  if (!options_.newest_framing || newest == basic_framing) return done();
+  auto request = detail::prepare(roles::IntroductionRequest{}, identity_.versions(), true);
+  if (!request) return done();
+  request->tried_framing = newest;
+  const auto tried = [this, done](const Result<Reply>&) {
+    has_news_ = true;
+    done();
+  };
+  const detail::CallPointer call =
+      detail::make_call(detail::next_call_id(), *std::move(request), {}, options_, now_, tried);
+  if (calls_.begin(call)) done();
+}
+
 TaskMachine& PassiveClient::State::start(TaskMachine& task, std::function<void()> finish) {
   task.set_number(calls_->order().begin());
   task.set_repeating_line(line_may_repeat_);
@@ -97,12 +155,14 @@ void PassiveClient::State::receive(std::span<const std::uint8_t> bytes, Instant 
   now_ = later(now_, now);
   if (bytes.empty()) return;
   has_news_ = true;
+  if (search_) return search_->detector.feed(bytes);
   dialogue_.feed(bytes, now);
 }
 
 std::span<const std::uint8_t> PassiveClient::State::advance(Instant now) {
   now_ = later(now_, now);
   has_news_ = false;
+  if (search_) return is_writing_ ? std::span<const std::uint8_t>{} : search();
   Instant next = Instant::never;
   const auto tasks = running_;  // a task that ends may start another one
   for (const auto& running : tasks) next = earlier(next, step(*running));
@@ -116,7 +176,7 @@ std::span<const std::uint8_t> PassiveClient::State::advance(Instant now) {
 void PassiveClient::State::written(Instant now) {
   now_ = later(now_, now);
   if (!std::exchange(is_writing_, false)) return;
-  dialogue_.written(now);
+  if (!search_) dialogue_.written(now);
   has_news_ = true;
 }
 

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include <sbgc/client/passive_client.hpp>
+#include <sbgc/detector.hpp>
 
 #include "calls/stream_listeners.hpp"
 #include "conversation/delivery.hpp"
@@ -23,6 +25,10 @@ class PassiveClient::State {
         line_may_repeat_(line_may_repeat || options.duplicate_window.count() != 0),
         calls_(options.queue_limit) {}
 
+  void detect_line(SetLine set_line, std::function<void(const Result<void>&)> done);
+  void set_line(const LineSettings& line) { dialogue_.set_line(line); }
+  /// Changes to the newest framing of the board, if the board answers in it.
+  void change_framing(std::function<void()> done);
   TaskMachine& start(TaskMachine& task, std::function<void()> finish);
   void receive(std::span<const std::uint8_t> bytes, Instant now);
   std::span<const std::uint8_t> advance(Instant now);
@@ -40,6 +46,12 @@ class PassiveClient::State {
 
  private:
   class Stream;
+  struct Search {
+    std::vector<std::uint8_t> question{};
+    Detector detector;
+    SetLine set_line{};
+    std::function<void(const Result<void>&)> done{};
+  };
   struct Running {
     TaskMachine* machine{};
     std::function<void()> finish{};
@@ -49,6 +61,9 @@ class PassiveClient::State {
     bool is_over = false;
   };
 
+  /// Goes on with the search; returns the bytes to send.
+  std::span<const std::uint8_t> search();
+  void end_search(const Result<void>& result);
   /// Runs a task until it waits or ends; returns until when it waits.
   Instant step(Running& running);
   void end(Running& running);
@@ -69,6 +84,7 @@ class PassiveClient::State {
   detail::Delivery delivery_{};
   detail::StreamListeners streams_{};
   detail::Dialogue dialogue_{options_, calls_, delivery_};
+  std::unique_ptr<Search> search_{};
   std::vector<std::shared_ptr<Running>> running_{};
 };
 

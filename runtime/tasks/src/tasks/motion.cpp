@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <sbgc/client/motion.hpp>
+#include <sbgc/internal/words.hpp>
 #include <sbgc/messages/control.hpp>
 #include <sbgc/messages/parameters.hpp>
 
@@ -21,7 +22,8 @@
 namespace sbgc {
 namespace {
 
-constexpr std::array<const char*, 3> axis_names{"roll", "pitch", "yaw"};
+using detail::axis_names;
+
 /// Returns the signed difference of two angles, which wrap around after two turns in each
 /// direction.
 double degrees_between(msg::Angle14 from, msg::Angle14 to) noexcept {

@@ -9,6 +9,7 @@
 #include <sbgc/availability.hpp>
 #include <sbgc/client/readiness.hpp>
 #include <sbgc/client/sensor_motion.hpp>
+#include <sbgc/internal/words.hpp>
 #include <sbgc/messages/control.hpp>
 #include <sbgc/messages/parameters.hpp>
 #include <sbgc/messages/realtime.hpp>
@@ -28,8 +29,6 @@ constexpr double most_tilt = 10;
 constexpr double most_imbalance = 10;
 /// Share of the measured voltage by which a sensor that was never calibrated may be wrong.
 constexpr double most_wrong = 0.25;
-
-constexpr std::array<const char*, 3> names_of_axes{"roll", "pitch", "yaw"};
 
 /// With one of these, the motors do not turn.
 constexpr std::array stopping_errors{
@@ -135,7 +134,7 @@ class ReadinessCheck {
       const double angle = std::remainder(data->angle[axis].degrees(), 360);
       if (std::abs(angle) <= most_tilt) continue;
       found_.problem = fmt::format("the camera is not level: its {} angle is {:.0f} deg; level it",
-                                   names_of_axes[axis], angle);
+                                   detail::axis_names[axis], angle);
       break;
     }
     co_return Result<void>();
@@ -172,13 +171,13 @@ class ReadinessCheck {
     }
     const auto more = co_await tasks::call(msg::RealtimeData4Request{});
     if (!more) co_return more.error();
-    for (std::size_t axis = 0; axis < names_of_axes.size(); ++axis) {
+    for (std::size_t axis = 0; axis < detail::axis_names.size(); ++axis) {
       const double share = std::abs(more->balance_error[axis].percent());
       if (share <= most_imbalance) continue;
       found_.problem = fmt::format(
           "the {} axis is out of balance: {:.0f} % of the motor's power holds it; balance the "
           "camera",
-          names_of_axes[axis], share);
+          detail::axis_names[axis], share);
       break;
     }
     co_return Result<void>();

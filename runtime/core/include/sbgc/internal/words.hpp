@@ -1,10 +1,14 @@
 /// Words that users type or read.
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 
 namespace sbgc::detail {
+
+/// In the order of the elements of Axes.
+inline constexpr std::array<const char*, 3> axis_names{"roll", "pitch", "yaw"};
 
 /// Only letters of ASCII have another case.
 constexpr char lower_case(char c) noexcept {

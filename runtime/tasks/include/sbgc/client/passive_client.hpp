@@ -31,6 +31,7 @@
 #include <sbgc/client/raw_request.hpp>
 #include <sbgc/client/subscription.hpp>
 #include <sbgc/client/task.hpp>
+#include <sbgc/line.hpp>
 #include <sbgc/result.hpp>
 #include <sbgc/time.hpp>
 
@@ -40,16 +41,23 @@ namespace sbgc {
 /// inside the functions that take a time. Not thread-safe.
 class PassiveClient {
  public:
-  /// Of the options, those of opening a line have no effect: `timeout`, `detect_line`,
-  /// `newest_framing`, `capture` and `wrap`. `line_may_repeat` says that the line, such as UDP, may
-  /// deliver bytes twice.
+  /// Of the options, those of opening a line have no effect: `timeout`, `detect_line`, `capture`
+  /// and `wrap`. `line_may_repeat` says that the line, such as UDP, may deliver bytes twice.
   explicit PassiveClient(const ConnectOptions& options = {}, bool line_may_repeat = false);
   PassiveClient(const PassiveClient&) = delete;
   PassiveClient& operator=(const PassiveClient&) = delete;
   ~PassiveClient();
 
-  /// Asks the board for its identity, with the password if there is one. Tasks that start before
-  /// it is known fail for boards and firmware that lack a command.
+  /// Changes the line to these settings and discards what has arrived; returns false if it cannot.
+  using SetLine = std::function<bool(const LineSettings&)>;
+  /// Searches for the line settings at which the board answers, as Detector does, and keeps them.
+  /// Precedes everything else; fails with ErrorCode::not_found, and then can be called again.
+  void detect_line(SetLine set_line, std::function<void(const Result<void>&)> done);
+  /// Says which settings the line has, which pacing and timeouts depend on.
+  void set_line(const LineSettings& line);
+  /// Asks the board for its identity, with the password if there is one, and changes to its newest
+  /// framing if the board answers in it. Tasks that start before it is known fail for boards and
+  /// firmware that lack a command.
   void connect(std::function<void(const Result<void>&)> done);
   const BoardIdentity& identity() const noexcept;
   /// Counters since it was made.
