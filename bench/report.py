@@ -4,7 +4,7 @@ usage: report.py [--svg FILE] FILE...    (written with --benchmark_format=json)
 
 A benchmark is named group/case. The case "memcpy" is the baseline of its group. Repetitions count by their
 median. bars.yaml, next to this script, has the bars; the last line tells how many hold. --svg draws the
-groups that are compared with memcpy.
+speed of some relative to memcpy.
 """
 
 from __future__ import annotations
@@ -70,14 +70,8 @@ class Bar:
         return cls(found[1] == ">=", float(found[2]), found[3])
 
     def measured(self, figure: Figure, figures: dict[str, Figure]) -> float:
-        if self.unit == BASELINE:
-            return figure.speed_against(figures[f"{figure.group}/{BASELINE}"])
         if self.unit in figures:
             return figure.nanoseconds / figures[self.unit].nanoseconds
-        if self.unit == "MB/s":
-            return (figure.bytes_per_second or 0) / 1e6
-        if self.unit in NANOSECONDS:
-            return figure.nanoseconds / NANOSECONDS[self.unit]
         return figure.counters[self.unit]
 
     def holds(self, figure: Figure, figures: dict[str, Figure]) -> bool:
@@ -156,31 +150,24 @@ def print_verdict(figures: dict[str, Figure], bars: dict[str, str]) -> None:
 ROW, TEXT, LINE = 22, 190, 420  # heights and widths
 
 
-def draw(figures: dict[str, Figure], bars: dict[str, str]) -> str:
-    """Draws the share of memcpy of each case that has such a bar."""
-    drawn = [
-        (figures[name], Bar.parse(bar))
-        for name, bar in bars.items()
-        if name in figures and Bar.parse(bar).unit == BASELINE
-    ]
-    ratios = [bar.measured(figure, figures) for figure, bar in drawn]
+def draw(figures: dict[str, Figure], names: list[str]) -> str:
+    """Draws the speed of these figures relative to memcpy."""
+    drawn = [figures[name] for name in names if name in figures]
+    ratios = [f.speed_against(figures[f"{f.group}/{BASELINE}"]) for f in drawn]
     longest = max([1.0, *ratios])
     height = ROW * len(drawn) + 46
     scale = LINE / longest
     lines = [
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{TEXT + LINE + 60}" height="{height}" '
         'font-family="sans-serif" font-size="12" role="img" aria-label="Speed relative to memcpy">',
-        "<style>text{fill:#444}.bar{fill:#3b7dd8}.limit{stroke:#c33;stroke-width:2}"
-        ".one{stroke:#999;stroke-dasharray:3}"
+        "<style>text{fill:#444}.bar{fill:#3b7dd8}.one{stroke:#999;stroke-dasharray:3}"
         "@media(prefers-color-scheme:dark){text{fill:#bbb}}</style>",
     ]
-    for row, ((figure, bar), ratio) in enumerate(zip(drawn, ratios)):
+    for row, (figure, ratio) in enumerate(zip(drawn, ratios)):
         y = ROW * row + 8
-        limit = TEXT + bar.limit * scale
         lines += [
             f'<text x="{TEXT - 8}" y="{y + 12}" text-anchor="end">{figure.name}</text>',
             f'<rect class="bar" x="{TEXT}" y="{y}" width="{ratio * scale:.1f}" height="15"/>',
-            f'<line class="limit" x1="{limit:.1f}" y1="{y - 2}" x2="{limit:.1f}" y2="{y + 17}"/>',
             f'<text x="{TEXT + ratio * scale + 6:.1f}" y="{y + 12}">{ratio:.2f}</text>',
         ]
     one = TEXT + scale
@@ -188,8 +175,7 @@ def draw(figures: dict[str, Figure], bars: dict[str, str]) -> str:
     lines += [
         f'<line class="one" x1="{one:.1f}" y1="0" x2="{one:.1f}" y2="{bottom}"/>',
         f'<text x="{one:.1f}" y="{bottom + 14}" text-anchor="middle">memcpy</text>',
-        f'<text x="{TEXT}" y="{bottom + 32}">Speed relative to memcpy of the same bytes; '
-        "red: the bar.</text>",
+        f'<text x="{TEXT}" y="{bottom + 32}">Speed relative to memcpy of the same bytes.</text>',
         "</svg>",
     ]
     return "\n".join(lines) + "\n"
@@ -200,17 +186,17 @@ def main() -> int:
     parser.add_argument("--svg", type=Path)
     parser.add_argument("files", type=Path, nargs="+")
     arguments = parser.parse_args()
-    bars = yaml.safe_load(Path(__file__).with_name("bars.yaml").read_text(encoding="utf-8"))
+    wanted = yaml.safe_load(Path(__file__).with_name("bars.yaml").read_text(encoding="utf-8"))
     figures: dict[str, Figure] = {}
     for path in arguments.files:
         document = json.loads(path.read_text(encoding="utf-8"))
         figures.update((figure.name, figure) for figure in read_figures(document))
     order = sorted(figures.values(), key=lambda f: (f.group, f.case != BASELINE, f.case))
     figures = {figure.name: figure for figure in order}
-    print_table(figures, bars)
-    print_verdict(figures, bars)
+    print_table(figures, wanted["bars"])
+    print_verdict(figures, wanted["bars"])
     if arguments.svg:
-        arguments.svg.write_text(draw(figures, bars), encoding="utf-8")
+        arguments.svg.write_text(draw(figures, wanted["picture"]), encoding="utf-8")
     return 0
 
 

@@ -1,11 +1,10 @@
 """Count instructions with Callgrind, and compare them with the committed figures.
 
-usage: instructions.py [--accept] PROGRAM [SBGC]
+usage: instructions.py [--accept] PROGRAM SBGC
 
 Unlike times, instructions do not depend on the load of the machine. Only the functions of the program
 itself count: those of libraries, such as memcpy, depend on the processor. PROGRAM does the work of
-instructions.cpp. SBGC is the command, whose decoding is counted, too; without it, its figures are not
-compared. Fails if a figure exceeds the one in
+instructions.cpp. SBGC is the command, whose decoding is counted, too. Fails if a figure exceeds the one in
 figures.json, next to this script, by over 5 %; --accept writes that file.
 """
 
@@ -145,17 +144,14 @@ def compare(figures: dict[str, float], accepted: dict[str, float]) -> list[str]:
 def main(arguments: list[str]) -> int:
     accept = arguments[:1] == ["--accept"]
     programs = [Path(path).resolve() for path in arguments[accept:]]
-    if len(programs) not in ([2] if accept else [1, 2]):
+    if len(programs) != 2:
         print(__doc__, file=sys.stderr)
         return 2
     figures = count_core(programs[0])
     accepted = json.loads(FIGURES.read_text(encoding="utf-8")) if FIGURES.exists() else {}
     for output_format, (kind, bodies) in itertools.product(("jsonl", "text"), DECODED.items()):
         case = f"decode/{output_format}{kind}"
-        if programs[1:]:
-            figures[case] = count_decode(programs[1], output_format, frames(bodies()))
-        else:
-            accepted.pop(case, None)
+        figures[case] = count_decode(programs[1], output_format, frames(bodies()))
     worse = compare(figures, accepted)
     if accept:
         rounded = {case: round(figure, 3) for case, figure in figures.items()}

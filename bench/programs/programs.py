@@ -1,8 +1,8 @@
 """Measure whole programs: `sbgc decode`, the generator, and the compiler on the headers.
 
-usage: programs.py [--quick] BUILD_FOLDER [SBGC]    (writes the format of Google Benchmark)
+usage: programs.py [--quick] BUILD_FOLDER SBGC    (writes the format of Google Benchmark)
 
-SBGC is the command; without it, `sbgc decode` is not measured.
+SBGC is the command.
 Times are those of the processor, user and system. The files of the compiler are next to this script.
 """
 
@@ -87,16 +87,18 @@ def compiler(folder: Path, repetitions: int) -> list[dict[str, Any]]:
 
 def main(arguments: list[str]) -> int:
     quick = arguments[:1] == ["--quick"]
-    if len(arguments[quick:]) not in (1, 2):
+    if len(arguments[quick:]) != 2:
         print(__doc__, file=sys.stderr)
         return 2
-    build, *sbgc = arguments[quick:]
+    build, sbgc = arguments[quick:]
     repetitions = 1 if quick else 3
     with tempfile.TemporaryDirectory(dir=build) as name:
         folder = Path(name)
-        entries = [*generator(folder, repetitions), *compiler(folder, repetitions)]
-        if sbgc:
-            entries += decode(sbgc[0], folder, 5 if quick else 100, repetitions)
+        entries = [
+            *generator(folder, repetitions),
+            *compiler(folder, repetitions),
+            *decode(sbgc, folder, 5 if quick else 100, repetitions),
+        ]
     json.dump({"benchmarks": entries}, sys.stdout, indent=1)
     return 0
 
