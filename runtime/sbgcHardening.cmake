@@ -2,7 +2,6 @@
 # with them, too. Users of the library do not inherit them, and a subproject is built without them.
 
 add_library(sbgc_hardening INTERFACE)
-set(SBGC_FORTIFIED 0)
 if(NOT PROJECT_IS_TOP_LEVEL OR NOT CMAKE_SYSTEM_NAME STREQUAL "Linux")
   return()
 endif()
@@ -30,6 +29,5 @@ if("${${flags}}" MATCHES "-O[1-3sz]" AND NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 12)
     set(level 2)
   endif()
-  set(SBGC_FORTIFIED 1)
   target_compile_options(sbgc_hardening INTERFACE -U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=${level})
 endif()
