@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-/// Of libFuzzer.
+/// A function of libFuzzer.
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size);
 
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,

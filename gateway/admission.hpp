@@ -25,7 +25,7 @@
 
 namespace sbgc::tools {
 
-/// Who carries out the commands for a gimbal.
+/// Carries out the commands for a gimbal.
 struct Station {
   Gimbal* gimbal{};
   std::shared_ptr<GimbalTasks> tasks{};
@@ -75,7 +75,7 @@ class Admission {
   void connected();
   void subscribed();
   void lost();
-  /// Who may command, but not read the topic of a barrier, would wonder why nothing moves.
+  /// A user who may command, but not read the topic of a barrier, would wonder why nothing moves.
   void watch_barriers();
 
   /// On the thread of the journal: commands go to their gimbals when they are on the disk.

@@ -172,7 +172,7 @@ std::optional<BrokerAddress> read_host_and_port(std::string_view text,
   return address;
 }
 
-/// Of version 4: the library of the metrics has no other.
+/// An address of IP version 4: the library of the metrics knows no other.
 std::string read_listen(const SectionReader& section, const std::string& text) {
   auto address = read_host_and_port(text, {});
   if (address && address->host == "localhost") address->host = "127.0.0.1";

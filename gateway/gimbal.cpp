@@ -171,7 +171,7 @@ class Gimbal::Impl : public std::enable_shared_from_this<Impl> {
     }
     changes_ = client_->on_change([this](const LinkChange& change) { has_changed(change); });
     notices_ = client_->on_notice([this](const Notice& notice) { has_noticed(notice); });
-    // What has happened before the handlers were there, is told now.
+    // Tells what happened before the handlers were there.
     if (client_->is_connected()) {
       enter_online(client_->identity());
     } else {
@@ -291,7 +291,7 @@ class Gimbal::Impl : public std::enable_shared_from_this<Impl> {
       const std::lock_guard lock(mutex_);
       ++counters_.telemetry[message.type().info->name];
     }
-    // What a board reports by itself must not be thinned.
+    // Messages that a board sends by itself must not be thinned.
     if (message.get_if<msg::Event>() != nullptr) {
       return tell({"event", to_string(message), &message});
     }

@@ -75,7 +75,7 @@ void GimbalStops::take(Debt& debt, const Result<void>& ended, Clock::time_point 
   if (!ended) debt.last = ended.error();
   const OwedStop::State state = debt.owed->take(ended, began);
   if (state == OwedStop::State::owed) return;  // look() makes the next attempt
-  // What was being sent can have come after this stop, or can still come.
+  // A request that was being sent can have arrived after this stop, or can still arrive.
   if (state == OwedStop::State::done && !hooks_.is_final()) return attempt(debt);
   end(debt, ended);
 }
@@ -111,7 +111,7 @@ void GimbalStops::watch() {
   });
 }
 
-/// Who has waited long enough gets a result.
+/// Ends the commands that have waited long enough, with a result.
 void GimbalStops::look(Debt& debt) {
   if (!debt.owed) return;
   const auto now = Clock::now();

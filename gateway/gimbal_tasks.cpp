@@ -318,7 +318,7 @@ void GimbalTasks::halt(const char* reason, bool late) {
   stops_.stop_because(reason, late);
 }
 
-/// What turns the camera after a stop, if anything, is no command.
+/// After a stop, no command turns the camera.
 void GimbalTasks::stops_changed() {
   if (!stops_.is_owed()) moves_until_.reset();
   report_rest();

@@ -72,7 +72,7 @@ std::shared_ptr<sqlite3> open_database(const std::filesystem::path& file) {
 /// One SQL statement with its values.
 class Journal::Statement {
  public:
-  /// What reads texts names the table, whose ids are the first column.
+  /// The statements that read texts name the table, whose ids are the first column.
   Statement(const Journal& journal, const char* sql, const char* table = "")
       : journal_(journal), database_(*journal.database_), table_(table) {
     sqlite3_stmt* prepared = nullptr;

@@ -32,11 +32,11 @@ constexpr milliseconds mqtt_turn{100};
 constexpr std::chrono::seconds mqtt_patience{10};
 constexpr milliseconds first_mqtt_pause{250};
 constexpr milliseconds longest_mqtt_pause{4'000};
-/// Of the ids of messages, the largest; 1 follows.
+/// The largest packet id; the next is 1.
 constexpr int last_mqtt_id = 65'535;
 /// What one batch of messages may hold.
 constexpr std::size_t most_arrived_bytes = std::size_t{1} << 20U;
-/// Of a packet for us, with MQTT 5: the payload, a topic and properties.
+/// The largest packet to us, with MQTT 5: the payload, a topic and properties.
 constexpr std::uint32_t longest_packet = 2 * longest_payload;
 
 /// The library needs this once, before anything else.
@@ -125,7 +125,7 @@ struct MqttConnection::Callbacks {
           self.settings_.is_mqtt_5 ? mosquitto_reason_string(code) : mosquitto_connack_string(code);
       return;
     }
-    // What is in the buffer of the socket cannot be replaced by newer telemetry.
+    // Newer telemetry cannot replace what is in the buffer of the socket.
     constexpr int buffer = 65'536;
     static_cast<void>(::setsockopt(mosquitto_socket(self.connection_.get()), SOL_SOCKET, SO_SNDBUF,
                                    &buffer, sizeof buffer));

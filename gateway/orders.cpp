@@ -180,7 +180,7 @@ Order read_menu(const std::string& action) {
   // Assumption: no action turns the camera for longer.
   constexpr std::chrono::minutes longest_action{1};
   Order order = call_of(*find_message(Meta<msg::ExecuteMenu>::info.name), {{"cmd_id", action}});
-  // What `allow` says of calibrations and motors holds for their menu actions, too.
+  // `allow` decides about the menu actions of calibrations and motors, too.
   const auto& request = std::get<CallOrder>(order.what).request;
   const auto words = checked_command(request.get_if<msg::ExecuteMenu>()->cmd_id);
   if (!words.empty()) {

@@ -39,7 +39,7 @@ Json members_schema(const std::vector<FieldType>& members, bool is_to_board) {
   std::vector<std::string> required;
   for (const FieldType& member : members) {
     properties[member.name] = value_schema(member, is_to_board);
-    // What a command lacks is as in a new message.
+    // A member that a command lacks is as in a new message.
     if (!is_to_board && !member.is_optional && !member.is_counter && !member.is_tail()) {
       required.emplace_back(member.name);
     }
@@ -205,7 +205,7 @@ Json command_schema(std::string_view task) {
   Json parameters = parameters_schema(task);
   std::vector<std::string> required;
   if (task != "stop") required = {"version", "key", "deadline"};
-  // Of `raw`, some messages need it.
+  // Some messages of `raw` need it.
   if (task != "stop" && task != "get" && task != "raw") required.emplace_back("sent");
   if (parameters.contains("oneOf") || !parameters["required"].empty()) {
     required.emplace_back("parameters");

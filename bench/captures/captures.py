@@ -61,7 +61,7 @@ def records(message: Any) -> bytes:
 
 
 def description(message: Any) -> Any:
-    """Of records, in construct."""
+    """Counts the records, with construct."""
     fields = []
     for leaf in message["layout"]:
         kind = TYPES.get(leaf["type"])

@@ -90,7 +90,7 @@ def total(values: dict[str, float], name: str) -> float:
 
 
 def quantile(delays: Counter[int], share: float) -> int:
-    """Of delays in milliseconds."""
+    """Statistics of delays in milliseconds."""
     left = share * sum(delays.values())
     for delay in sorted(delays):
         left -= delays[delay]

@@ -10,9 +10,9 @@
 //   250..254: remove the last bytes; the opcode minus 249 is their number
 //   255:      append the remaining bytes
 //
-// What reads captures has the same content: a replay delivers the bytes from the board, and `sbgc
-// decode` finds the same frames, gaps and notes for every chunk size. A file that is no capture is
-// read as raw bytes, and as hex text.
+// The readers of captures see the same content: a replay delivers the bytes from the board, and
+// `sbgc decode` finds the same frames, gaps and notes for every chunk size. A file that is no
+// capture is read as raw bytes, and as hex text.
 
 #include <algorithm>
 #include <cstddef>

@@ -1,4 +1,4 @@
-"""Who may use the broker: passwords, certificates, and the sample of an ACL. And MQTT 5."""
+"""Access to the broker: passwords, certificates, the sample of an ACL, and MQTT 5."""
 
 from __future__ import annotations
 

@@ -204,7 +204,7 @@ def most_memory(gateway: Gateway) -> int:
 
 @pytest.mark.long  # the peak depends on what the machine does meanwhile
 def test_payloads_without_an_end(tmp_path: Path) -> None:
-    """Of messages that are too long, the gateway has one in memory."""
+    """The gateway holds one message that is too long in memory, never several."""
     with broker_with_acl(
         tmp_path, "topic readwrite sbgc/#\n"
     ) as broker, emulated_gimbal() as front:

@@ -37,7 +37,7 @@ void Columns::add(double time, const AnyMessage& message) {
     const char kind = leaf.kind == LeafKind::real || leaf.unit != nullptr ? 'f'
                       : leaf.is_u64                                       ? 'u'
                                                                           : 'i';
-    // What is real in one message, such as a number of an announced type, is real in all.
+    // A field that is real in one message, such as a number of an announced type, is real in all.
     if (column.kind != 'f') column.kind = kind;
   });
 }

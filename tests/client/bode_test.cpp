@@ -140,7 +140,7 @@ TEST(Bode, WithNoise95PercentAreWithinTwoDeviations) {
       }
     }
   }
-  // Of normal errors, 95.4 % are. The share of one recording deviates from that by 1.1 %, as
+  // 95.4 % of normal errors are. The share of one recording deviates from that by 1.1 %, as
   // neighboring frequencies share samples, so that of 24 by 0.23 %.
   const double share = static_cast<double>(within) / static_cast<double>(all);
   EXPECT_GE(share, 0.95);

@@ -91,7 +91,7 @@ void expect_the_same_with_every_table() {
       ASSERT_EQ((in_two_parts<parameters, CrcTable::nibbles>(bytes, cut)), expected) << size;
       ASSERT_EQ((in_two_parts<parameters, CrcTable::bytes>(bytes, cut)), expected) << size;
       ASSERT_EQ((in_two_parts<parameters, CrcTable::slices>(bytes, cut)), expected) << size;
-      // What `slices` does on a processor without the multiplication.
+      // `slices` does this on a processor without the multiplication.
       Crc<parameters, CrcTable::slices> by_table;
       by_table.add_by_table(bytes.data(), size);
       ASSERT_EQ(by_table.value(), expected) << size;

@@ -105,7 +105,7 @@ TEST(BoundedArray, ResizeInitializesWhatItAdds) {
             (std::vector<Pair>{{1, 1}, {7, 0}, {7, 0}}));
 }
 
-// What is not in use is not initialized at run time, but copied as bytes.
+// The unused part is not initialized at run time, but copied as bytes.
 TEST(BoundedArray, CopiesAreEqualWhateverTheUnusedBytes) {
   using List = BoundedArray<std::uint16_t, 5>;
   static_assert(std::is_trivially_copyable_v<List>);

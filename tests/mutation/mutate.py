@@ -32,7 +32,7 @@ TARGETS = ["sbgc", "example_tour", "crash_faults"] + [
 ]
 # The folders of the sbgc command; tools/web is no part of it.
 TOOLS = "board bytes care care/memory command frames look look/monitor move parameters share shell values".split()
-# Of other builds, or not to be included together with the rest of its folder.
+# Files of other builds, and those that cannot be included together with the rest of their folder.
 SEPARATE = ("offline_commands", "system_windows", "web_socket_server")
 # The first tests of a mutant take these seconds; it meets all others if it survives them and is not listed.
 SECONDS = 15.0

@@ -125,7 +125,7 @@ def test_vectors_decode_and_encode_as_in_the_reference_codec(family: str) -> Non
         contexts = known_before(vector)
         chosen = vector.get("chosen", vector.get("message"))
         if "message" in vector and chosen is not None:
-            # What dispatch selects, if it decodes.
+            # The message that dispatch selects, if it decodes.
             try:
                 assert type(decode_body(vector["id"], body, direction, contexts)).__name__ == chosen
             except DecodeError as refused:

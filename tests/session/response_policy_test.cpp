@@ -71,7 +71,7 @@ TEST(ResponsePolicy, AreThoseOfTheSpecification) {
     const int id = static_cast<int>(M::command);
     seen.insert(id);
     const auto answer = answers.find(id);
-    // What comes from elsewhere, such as release notes, is not compared.
+    // Facts from elsewhere, such as release notes, are not compared.
     if (answer == answers.end() && !confirmed.contains(id) && !possibly_confirmed.contains(id) &&
         !hardly_confirmed.contains(id) && !silent.contains(id)) {
       return;

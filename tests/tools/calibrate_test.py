@@ -194,7 +194,7 @@ def test_an_even_turn_is_no_rest(tmp_path: Path) -> None:
     with emulated_gimbal(*turning) as gimbal, terminal(tmp_path, 100, 30) as shell:
         turn_motors_off(gimbal)
         assert re.search(r"the camera turns evenly by [12]\.\d deg/s", refused(gimbal, "gyro"))
-        # Who sees that it is still can say so, because this calibration mends the offset.
+        # A user who sees that it is still can say so, because this calibration mends the offset.
         for answer, end in (("n", "the camera is not still$"), ("y", "is done")):
             shell.run("calibrate", "gyro", "-p", gimbal.address)
             for question, reply in (("Continue", "y"), ("Is it still", answer)):

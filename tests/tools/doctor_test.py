@@ -41,7 +41,7 @@ def test_a_resonance_is_named(shaking: EmulatedGimbal) -> None:
     assert report["sampling"]["rate_hz"] == 250 and report["sampling"]["second_rate_hz"] == 200
     assert report["sampling"]["highest_hz"] == pytest.approx(0.45 * 250)
     first = report["axes"]["pitch"]["frequencies"][0]
-    # What it may be an alias of depends on the noise at the other rate; tests with seeds look at that.
+    # Noise at the other rate decides what it may be an alias of; tests with seeds look at that.
     assert first["hz"] == pytest.approx(37, abs=1)
     assert report["thresholds"]["resonance"]["value"] == 0.035
 

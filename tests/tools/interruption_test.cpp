@@ -58,7 +58,7 @@ void press_after(milliseconds time) {
 TEST(Interruption, OnlyASecondPressOfCtrlCEndsIt) {
   const End end = end_of([] {
     const MustFinish something(stop_bound, "a thing is left");
-    // Of a terminal that closes, and of one press that arrives in two ways.
+    // These come from a terminal that closes, and from one press that arrives in two ways.
     for (const int one : {SIGHUP, SIGHUP, SIGINT, SIGINT, SIGTERM, SIGQUIT, SIGPIPE}) ::raise(one);
     return was_interrupted() && !was_interrupted_by_key();
   });

@@ -1,4 +1,4 @@
-"""What listens does so on this machine only, unless told otherwise: as the kernel sees it."""
+"""Programs that listen do so on this machine only, unless told otherwise: as the kernel sees it."""
 
 from __future__ import annotations
 

@@ -17,7 +17,7 @@ from emulated_gimbal import EmulatedGimbal, emulated_gimbal
 from sbgc_command import PROGRAM, Result, run
 
 SIZE = 32768
-"""Of the EEPROM of the emulated board."""
+"""The size of the EEPROM of the emulated board."""
 
 
 @pytest.fixture(name="gimbal", scope="module")

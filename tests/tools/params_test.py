@@ -200,7 +200,7 @@ def test_get_explains(board: str) -> None:
     text = good(board, "get", "pitch.rc_min_angle")
     assert text.splitlines()[0] == "rc.pitch.rc_min_angle = -45 deg"
     assert "-720 to 720 deg" in text
-    # What several parameters have in common is explained once, after the last of them.
+    # A note that several parameters share comes once, after the last of them.
     lines = good(board, "get", "rc_min_angle", "gyro_trust").splitlines()
     values = [i for i, line in enumerate(lines) if " = " in line]
     assert values[:3] == [0, 1, 2] and values[3] > 4 and lines[-1] == "    0 to 255"

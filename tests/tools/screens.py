@@ -106,7 +106,7 @@ def terminal(
     result.type(f"cd {folder}; PS1='$ '; clear")
     result.press("Enter")
     try:
-        # What is typed before the first prompt is echoed twice.
+        # Text that is typed before the first prompt is echoed twice.
         result.wait(lambda lines: lines[0].rstrip() == "$")
         yield result
     finally:

@@ -125,7 +125,7 @@ def test_all_raw_values_are_shown(pairs: list[tuple[Any, Shown]]) -> None:
         assert ("unknown" in frame_shown.experts) == (code in WITHOUT_MESSAGE), wanted
         if code is not None:
             body = frame_shown.text("sbgc.body").replace(":", "")
-            # What may be a password is hidden, here also if it is no text.
+            # A value that may be a password is hidden, here also if it is no text.
             assert body == wanted["body"] or (
                 body == "" and wanted["id"] == PASSWORD_COMMAND
             ), wanted

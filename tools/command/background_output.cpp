@@ -95,7 +95,7 @@ BackgroundOutput::~BackgroundOutput() { finish(); }
 
 void BackgroundOutput::write(const std::string& text) {
   const std::lock_guard lock(state_->mutex);
-  // What comes after dropped text is dropped, too, so that the lines are in order.
+  // Text that follows dropped text is dropped, too, so that the lines are in order.
   std::string& waiting = state_->waiting;
   const bool is_full = !waiting.empty() && waiting.size() + text.size() > max_waiting;
   if (state_->dropped != 0 || is_full) {

@@ -25,7 +25,7 @@ namespace {
 constexpr unsigned usual_bound = 8;
 /// To say what is left undone, within the bound.
 constexpr unsigned last_words = 5;
-/// What comes sooner is one press of Ctrl-C, or another sender.
+/// Signals that come sooner are one press of Ctrl-C, or have another sender.
 constexpr std::int64_t least_between_keys = 500;
 
 /// What must be finished.
@@ -39,7 +39,7 @@ struct Replaced {
   struct sigaction before {};
 };
 
-// Of the process, as its signal handlers are.
+// One for the process, as its signal handlers are.
 // NOLINTBEGIN(cppcoreguidelines-avoid-non-const-global-variables)
 std::atomic<int> arrived = 0;  // the number of the first signal
 std::atomic<bool> takes_cut = false;
@@ -54,7 +54,7 @@ std::vector<const Duty*> duties;  // the last is the present one
 std::deque<Duty> all_duties;      // another thread may be in the handler, so that none ends
 // NOLINTEND(cppcoreguidelines-avoid-non-const-global-variables)
 
-/// Of what must end now.
+/// Sets the alarm that ends what must end now.
 void set_alarm() {
   const Duty* const present = duty;
   const unsigned bound = present == nullptr ? usual_bound : present->bound;
@@ -150,7 +150,7 @@ MustFinish::MustFinish(std::chrono::seconds bound, std::string undone) {
     for (const int number : {SIGQUIT, SIGUSR1, SIGUSR2}) {
       replace(replaced_by_duty, number, take_signal);
     }
-    // Of a terminal, and of a pipe without a reader.
+    // They come from a terminal, and from a pipe without a reader.
     for (const int number : {SIGTSTP, SIGTTIN, SIGTTOU, SIGPIPE}) {
       replace(replaced_by_duty, number, SIG_IGN);
     }

@@ -14,7 +14,7 @@
 
 namespace sbgc::tools {
 
-/// Of a subcommand without options of its own.
+/// The options of a subcommand that has none.
 struct NoOptions {};
 
 /// What a subcommand needs follows from its types: if its Options have an `arming`, it asks before

@@ -47,7 +47,7 @@ Guess guess(const Frame& frame) {
     // An answer of any size can have that of a request.
     return {host > board ? Direction::to_board : Direction::from_board, host < board || board != 1};
   }
-  // What later firmware appends is shorter than what makes a body resemble the other direction.
+  // Later firmware appends fewer bytes than make a body resemble the other direction.
   const std::size_t from_host = misfit(Direction::to_board, frame.id, size);
   const std::size_t from_board = misfit(Direction::from_board, frame.id, size);
   return {from_host < from_board ? Direction::to_board : Direction::from_board, false};

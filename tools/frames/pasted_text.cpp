@@ -184,7 +184,7 @@ ReadingChoice choose_reading(std::span<const std::uint8_t> begin) {
       attempts.emplace_back(Reading{static_cast<Notation>(i), skips_fronts}, begin);
     }
   }
-  // Of several that are as good, the first: hex, without anything else in a line.
+  // The first of several that are as good: hex, without anything else in a line.
   const auto rank = [](const Attempt& a) {
     const TextError error = a.error.value_or(TextError{});
     return std::tuple(a.score, !a.error, error.line, error.column);

@@ -190,7 +190,7 @@ class TableWriter final : public SampleWriter {
   FieldPlaces places_;
   const char* key_;
   std::size_t key_width_;
-  // Of the columns that are shown.
+  // The columns that are shown.
   std::vector<Title> titles_;
   std::vector<std::size_t> widths_;
 };

@@ -18,7 +18,7 @@ enum class OutputFormat : unsigned char {
   jsonl,  ///< one object per message
 };
 
-/// Of --format.
+/// A value of --format.
 OutputFormat format_named(std::string_view name);
 
 /// What the first column of a table in CSV is.

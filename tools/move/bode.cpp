@@ -37,7 +37,7 @@ namespace sbgc::tools {
 
 namespace {
 
-// What a recording may be asked for. Assumption: what is longer or stronger is a mistake.
+// The limits of a recording. Assumption: a longer or stronger one is a mistake.
 constexpr double least_seconds = 4;  // as of the vendor's program
 constexpr double most_gain = 10'000;
 constexpr double most_frequency = 500;
@@ -317,7 +317,7 @@ int record_responses(const BodeCommand& command, const CommandContext& context) 
   std::vector<RecordingPosition> positions;
   positions.reserve(command.positions.size());
   for (const std::string& text : command.positions) positions.push_back(parse_position(text));
-  // What can fail is found before the camera shakes; the names of files need a gimbal only for yaw.
+  // Errors are found before the camera shakes; the names of files need a gimbal only for yaw.
   check_files(command, plan_recordings(command, positions, {}));
 
   MovingGimbal gimbal(context.gimbal);

@@ -16,7 +16,7 @@ namespace sbgc::tools {
 
 namespace {
 
-// Of a file with five profiles, each limit is at least three times what it needs.
+// Each limit is at least three times what a file with five profiles needs.
 constexpr std::size_t longest_text = std::size_t{1} << 20U;
 constexpr std::size_t longest_name = 64;
 constexpr std::size_t deepest_element = 8;

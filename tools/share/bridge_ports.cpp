@@ -623,7 +623,7 @@ void BridgePorts::arrived(const BoardFrame& message) {
 /// A message that answers no request which has not ended: unsolicited, or a late answer.
 void BridgePorts::give_unclaimed(const Frame& frame) {
   const RequestOwners::Claim claim = owners_.claim(frame, now());
-  // What nobody waits for may be dropped, as what nobody has asked for.
+  // An answer that nobody waits for may be dropped, like one that nobody has asked for.
   if (claim.asker) return give(*claim.asker, frame, !claim.is_awaited);
   if (claim.is_answer) return;
   is_streamed(frame.id) ? give_sample(frame) : give_all(frame);

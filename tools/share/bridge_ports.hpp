@@ -231,7 +231,7 @@ class BridgePorts final : public hosts::HostPorts {
     Instant begin{};
     Instant last{};  // when bytes passed
     ParserOfAll from_board{};
-    // Of a plain restart.
+    // The command that restarts the board.
     std::uint8_t command{};
     std::deque<bool> introductions{};           // that were asked for; true: by the bridge
     Instant unanswered_since = Instant::never;  // the first request for a sign of life

@@ -1,4 +1,4 @@
-/// Who has a place at a bridge, without I/O.
+/// The places of a bridge and the hosts that have them, without I/O.
 #pragma once
 
 #include <cstddef>

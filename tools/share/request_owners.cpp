@@ -9,7 +9,7 @@ namespace sbgc::tools {
 void RequestOwners::asked(std::uint64_t tag, const RequestOwner& asker, const RawRequest& request,
                           Instant now) {
   const ResponsePolicy& policy = request.policy;
-  // Of what is only remembered, the last request of a kind says as much as all.
+  // The last request of a kind says as much as all earlier ones that are only remembered.
   std::erase_if(entries_, [&](const Entry& entry) {
     if (entry.is_due(now)) return false;
     const bool is_same =

@@ -1,4 +1,4 @@
-/// Who may connect over a WebSocket.
+/// The origins that may connect over a WebSocket.
 #pragma once
 
 #include <string>

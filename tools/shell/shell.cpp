@@ -38,7 +38,7 @@ namespace {
 
 constexpr const char* name_of_shell = "shell";
 
-// Of the process, as its signal handlers are.
+// One for the process, as its signal handlers are.
 // NOLINTBEGIN(cppcoreguidelines-avoid-non-const-global-variables)
 volatile std::sig_atomic_t end_signal = 0;
 volatile std::sig_atomic_t was_key_pressed = 0;

@@ -217,7 +217,7 @@ class Picture {
   const std::vector<LinePlot>& plots_;
   std::string text_{};
 
-  // Of the plot that is being drawn
+  // The plot that is being drawn
   AxisRange places_{}, values_{};
   double step_{};  ///< between two lines of the grid of values
   double top_{};

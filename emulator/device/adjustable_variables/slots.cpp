@@ -25,7 +25,7 @@ unsigned level_of(double signal) {
   return static_cast<unsigned>(std::clamp(std::floor(share * levels), 0.0, levels - 1.0));
 }
 
-/// Of a trigger or an analog slot.
+/// True if a trigger or an analog slot has a source.
 bool is_used(const auto& slot) { return slot.src_ch != msg::RcMap(msg::RcInput::input_no); }
 
 /// Assumption, because the formula is undocumented (E073): MIN_VAL and MAX_VAL divide the range of

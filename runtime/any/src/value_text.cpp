@@ -205,7 +205,7 @@ class ValueParser {
   /// Fails if the wire cannot carry the integer.
   std::int64_t fitting(std::string_view text, std::optional<std::int64_t> raw) {
     if (!raw) return fail(quoted(text) + " is not an integer"), 0;
-    // Of an unsigned integer of 64 bits, it has the bits.
+    // It has the bits of an unsigned integer of 64 bits.
     const bool fits =
         type_.is_wide ? !text.starts_with('-') : *raw >= type_.lowest && *raw <= type_.highest;
     if (!fits) {

@@ -63,7 +63,7 @@ class UdpEndpoint final : public Endpoint {
     // always fits.
     if (bytes.size() <= board_.room(port) || board_.queued_bytes(port) == 0) {
       board_.receive(port, bytes);
-      // Who is refused at once must not fill the log.
+      // A host that is refused at once must not fill the log.
       const bool stays = is_new && !board_.must_leave(port);
       if (stays) logs_.event(fmt::format("{} is host {}", name_of(from_), port));
       return;

@@ -69,7 +69,7 @@ std::string split_options(std::string_view text, const char* known, Take take) {
   return path;
 }
 
-/// Of "COM3", "COM3:" and "\\\\.\\COM3", in any case.
+/// Refuses "COM3", "COM3:" and "\\\\.\\COM3", in any case.
 void reject_port_of_windows(std::string_view path) {
   if (path.starts_with(R"(\\.\)")) path.remove_prefix(4);
   if (path.ends_with(':')) path.remove_suffix(1);

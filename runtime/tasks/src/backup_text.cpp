@@ -83,7 +83,8 @@ Json contents_json(const std::vector<ParametersId>& contents) {
   return result;
 }
 
-/// Of what parameters are restored to: the identity of the board, and the list of the contents.
+/// The checksum of what a restore depends on: the identity of the board, and the list of the
+/// contents.
 std::string checksum(const BoardIdentity& board, const Json& contents) {
   ByteVector bytes = bytes_of(board.info);
   const std::string text =

@@ -18,7 +18,7 @@ constexpr const char* image_format = "sbgc-eeprom";
 constexpr std::string_view sum_key = R"(,"crc32":")";
 constexpr std::size_t longest_image_line = 1024;
 
-/// Of the line before its checksum, and of the bytes.
+/// The checksum of the line before it, and of the bytes.
 std::string image_sum(std::string_view line, std::string_view data) {
   std::vector<std::uint8_t> bytes(line.begin(), line.end());
   bytes.insert(bytes.end(), data.begin(), data.end());

@@ -146,7 +146,7 @@ void TaskDriver::wait(const TaskStep& step, Clock& clock) {
   if (!task_.is_calling() && !step.can_be_woken) {
     return clock.sleep_until(io::to_chrono(step.until));
   }
-  // Of all calls of the conversation: to end one of another thread does no harm.
+  // The deadline of any call of the conversation: to end a call of another thread does no harm.
   Conversation::State& state = *conversation_.state();
   const Instant last = state.calls()->deadline();
   {

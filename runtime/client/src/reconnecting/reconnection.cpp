@@ -69,7 +69,7 @@ Result<void> Reconnection::start() {
 }
 
 void Reconnection::start(std::shared_ptr<Link> previous, const Completion<Result<void>>& done) {
-  // What the thread has posted, and the closing of a line, need the context.
+  // The functions that the thread has posted, and the closing of a line, need the context.
   auto work = asio::prefer(executor_, asio::execution::outstanding_work_t::tracked);
   thread_ = std::thread([self = shared_from_this(), previous = std::move(previous),
                          work = std::move(work), done]() mutable {

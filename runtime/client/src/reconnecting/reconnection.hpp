@@ -50,7 +50,7 @@ class Reconnection final : public Link, public std::enable_shared_from_this<Reco
   /// Closes the client and ends the thread.
   void finish() noexcept;
 
-  // What returns a Stop needs the executor.
+  // The functions that return a Stop need the executor.
 
   Result<Reply> call(const Prepare& prepare, const CallOptions& options) override;
   Stop start(const Prepare& prepare, const CallOptions& options,

@@ -91,7 +91,7 @@ struct Trailer {
   using Bytes = std::make_index_sequence<sizeof(Word)>;
   static_assert(Facts::trailer_size == sizeof(Word));
 
-  /// Of the first byte that it covers.
+  /// The place of the first byte that it covers.
   static constexpr std::size_t offset =
       frame_header_size + 1 - Facts::trailer_checksum_covers.size();
   static_assert(covers_all_from<Facts>(offset), "another coverage requires another Trailer");

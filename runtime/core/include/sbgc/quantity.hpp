@@ -155,7 +155,7 @@ class Quantity {
       if (!(exact >= lowest && exact <= highest)) return {};
       return Conversion<Self>(Self(static_cast<Raw>(exact)));
     } else {
-      // Of 64 bits, `highest` is one above the highest, and `lowest - 0.5` is `lowest`.
+      // With 64 bits, `highest` is one above the highest, and `lowest - 0.5` is `lowest`.
       if (!((exact >= lowest || exact > lowest - 0.5) && exact < highest + 0.5)) return {};
       using Wide = std::conditional_t<sizeof(Raw) == 8, Raw, std::int64_t>;
       return Conversion<Self>(Self(static_cast<Raw>(nearest_integer<Wide>(exact))));

@@ -586,7 +586,7 @@ class BasicSession {
   SBGC_ALWAYS_INLINE Found found_for(detail::Meaning meaning) noexcept {
     Found found = found_once(meaning);
     if constexpr (is_shared) {
-      // What has the size of no answer, and of no sample, is an answer that does not decode.
+      // A frame with the size of no answer and no sample is an answer that does not decode.
       meaning.any_size = found.candidates == 0 && (meaning.kind == EventKind::unsolicited ||
                                                    meaning.kind == EventKind::stream);
       if (meaning.any_size) found = found_once(meaning);
@@ -815,7 +815,7 @@ class BasicSession {
     if constexpr (has_statistics) statistics_.*counter += by;
   }
 
-  // What is used most comes first, where short instructions reach it.
+  // The members that are used most come first, where short instructions reach them.
   Instant now_{std::numeric_limits<std::int64_t>::min()};
   std::uint64_t last_handle_{};
   Ticks pause_left_{};    // until the next request may be sent

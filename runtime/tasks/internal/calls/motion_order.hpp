@@ -22,7 +22,7 @@ class MotionOrder {
   /// Numbers a task that begins.
   TaskNumber begin() noexcept { return ++last_; }
 
-  /// Whom to tell that the task is superseded, once, until leave().
+  /// Called once if the task is superseded, until leave().
   void join(TaskNumber task, Superseded superseded) {
     tasks_.insert_or_assign(task, Entry{std::move(superseded)});
   }

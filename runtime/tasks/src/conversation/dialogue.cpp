@@ -147,7 +147,7 @@ void Dialogue::show(const Event& event) {
 void Dialogue::handle(const Event& event) {
   const Frame& frame = event.frame;
   show(event);
-  // What is no sample of a running stream may have other contents than its samples.
+  // A frame that is no sample of a running stream may have other contents than its samples.
   const bool is_for_all = event.sample == Sample::none || event.sample == Sample::yes;
   switch (event.kind) {
     case EventKind::completed: {

@@ -175,7 +175,8 @@ Task<Result<void>> hold_speed(std::shared_ptr<HeldSpeed> speed, BoundedTurn moti
     if (next.action == Action::stop) {
       yielding = Yielding();
       result = co_await motion.stop([&] { return speed->is_turning(); });
-      // What still turns may be this motion: it is stopped again, and the control timeout stays.
+      // A camera that still turns may do so by this motion: it is stopped again, and the control
+      // timeout stays.
       if (!result && result.error().code == ErrorCode::interrupted) {
         result = ClientError{ErrorCode::timeout, result.error().message};
       }
@@ -185,7 +186,7 @@ Task<Result<void>> hold_speed(std::shared_ptr<HeldSpeed> speed, BoundedTurn moti
       result = *std::move(refused);  // of the previous command
     } else {
       if (yields) result = co_await yielding.look(next.speed);
-      // What is sent later could follow a stop of somebody else.
+      // A request that is sent later could follow a stop of somebody else.
       const Instant not_after = yields ? task.now() + patience : Instant::never;
       if (result) result = co_await motion.turn(next.speed, not_after);
     }

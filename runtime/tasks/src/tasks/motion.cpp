@@ -405,7 +405,7 @@ Task<Result<void>> stop(StopOptions options) {
     if (!deadline.is_over()) continue;
     if (!turns || (!state && !is_cut)) co_return unknown();
     const std::string seen = turned.empty() ? "" : "; at last: " + turned;
-    // What a board that always answers does not stop, somebody else turns.
+    // The board always answers: if the camera still turns, somebody else turns it.
     co_return ClientError{was_silent ? ErrorCode::timeout : ErrorCode::interrupted,
                           turns->empty() ? "the camera has not come to rest" + seen
                                          : "the camera still turns: " + *turns};

@@ -25,7 +25,7 @@ namespace {
 constexpr double most_motion = 1;
 /// More than the error of an accelerometer that was never calibrated, in degrees.
 constexpr double most_tilt = 10;
-/// Of the motor's power that holds the camera, in percent; as for `sbgc doctor`.
+/// The share of the motor's power that holds the camera, in percent; as for `sbgc doctor`.
 constexpr double most_imbalance = 10;
 /// Share of the measured voltage by which a sensor that was never calibrated may be wrong.
 constexpr double most_wrong = 0.25;

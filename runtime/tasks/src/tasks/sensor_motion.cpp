@@ -90,7 +90,7 @@ Task<Result<SensorMotion>> motion_of_camera() {
   co_return sum.motion();
 }
 
-/// Of firmware that sends the sensors of the frame.
+/// For firmware that sends the sensors of the frame.
 Task<Result<SensorMotion>> motion_of_frame() {
   using Flag = msg::RealtimeDataCustom2Flag;
   MotionSum sum;
@@ -113,7 +113,7 @@ Task<Result<SensorMotion>> motion_of_frame() {
   co_return sum.motion();
 }
 
-/// Of older firmware, which sends only its angles: their changes are rates.
+/// For older firmware, which sends only its angles: their changes are rates.
 Task<Result<SensorMotion>> motion_of_frame_angles() {
   // A rate of two neighbors would be mostly the rounding of the angles.
   constexpr std::size_t apart = 5;

@@ -193,7 +193,7 @@ class Client : public TaskCalls<Client> {
   BoardIdentity identity() const { return link_->identity(); }
   /// Describes the current or the last line, e.g. "serial port /dev/ttyUSB0, 115200 8N1".
   std::string description() const { return link_->description(); }
-  /// Of the current or the last connection.
+  /// Returns the counters of the current or the last connection.
   ClientStatistics statistics() const { return link_->statistics(); }
 
   /// Ends every call with ErrorCode::cancelled, closes the line and stops searching. Later calls

@@ -51,7 +51,7 @@ class JsonTextSource {
   bool integer(JsonInteger& out) {
     Number number;
     if (!scan_number(number) || !number.is_integer) return false;
-    // What does not fit into 64 bits is a real number.
+    // A number that does not fit into 64 bits is a real number.
     const auto error = number.is_negative ? from_text<std::int64_t>(number.text, out.value)
                                           : from_text<std::uint64_t>(number.text, out.value);
     if (error != std::errc{}) return false;

@@ -99,7 +99,7 @@ struct SendResult {
 
 /// Options of one request.
 struct SendOptions {
-  /// Whose request it is, for a session that several hosts share: requests of one host keep their
+  /// The host that asks, in a session that several hosts share: requests of one host keep their
   /// order. Another host than 0 tells the responses to its own requests apart itself.
   std::uint16_t host = 0;
   /// Wait for an optional confirmation: complete with `confirmed` or `unconfirmed`, not `sent`.
@@ -108,7 +108,7 @@ struct SendOptions {
   bool repeat_unconfirmed = false;
   bool ignore_budget = false;  ///< start a data stream regardless of its bandwidth
   std::uint8_t attempts = 0;   ///< maximum transmissions if a retry is safe; 0: the session's
-  /// Of each transmission, at most longest_timeout; 0: that of the response policy.
+  /// The timeout of each transmission, at most longest_timeout; 0: that of the response policy.
   Duration timeout{};
   Instant deadline = Instant::never;  ///< completes with `timeout` at this time, sent or not
 };

@@ -324,7 +324,7 @@ class Streams {
   Framing framing_ = basic_framing;
 };
 
-/// Of a session that starts no streams.
+/// For a session that starts no streams.
 template <>
 class Streams<0> {
  public:

@@ -41,8 +41,8 @@ namespace sbgc {
 /// inside the functions that take a time. Not thread-safe.
 class PassiveClient {
  public:
-  /// Of the options, those of opening a line have no effect: `timeout`, `detect_line`, `capture`
-  /// and `wrap`. `line_may_repeat` says that the line, such as UDP, may deliver bytes twice.
+  /// The options of opening a line have no effect: `timeout`, `detect_line`, `capture` and `wrap`.
+  /// `line_may_repeat` says that the line, such as UDP, may deliver bytes twice.
   explicit PassiveClient(const ConnectOptions& options = {}, bool line_may_repeat = false);
   PassiveClient(const PassiveClient&) = delete;
   PassiveClient& operator=(const PassiveClient&) = delete;

@@ -204,7 +204,7 @@
     });
     const found = [];
     for (const entry of words.length ? entries : []) {
-      // Of several twins, the best match is shown and links to its own page.
+      // The best match of several twins is shown, and links to its own page.
       let [most, shown] = [best(entry, alternatives, entry.isProse), entry];
       for (const twin of entry.twins) {
         const score = best(twin, alternatives, false);
