@@ -51,6 +51,15 @@ constexpr void for_each_name(const EnumInfo& info, std::uint64_t raw, Visitor&& 
   }
 }
 
+template <class Visitor>
+constexpr void for_each_name(const PackedInfo& info, std::uint64_t raw, Visitor&& visitor) {
+  for (const PartInfo& part : info.parts) {
+    if (part.values == nullptr) continue;
+    const std::uint64_t bits = raw & part.mask;
+    for_each_name(*part.values, part.values->is_flags ? bits : bits >> part.shift, visitor);
+  }
+}
+
 /// The same for a value; in a packed one, for each part.
 template <class T, class Visitor>
 constexpr void for_each_name(const T& value, Visitor&& visitor) {
@@ -59,11 +68,7 @@ constexpr void for_each_name(const T& value, Visitor&& visitor) {
   } else if constexpr (requires { typename T::flag_type; }) {
     for_each_name(EnumMeta<typename T::flag_type>::info, value.raw(), visitor);
   } else {
-    for (const PartInfo& part : PackedMeta<T>::parts) {
-      if (part.values == nullptr) continue;
-      const auto bits = static_cast<std::uint64_t>(value.raw()) & part.mask;
-      for_each_name(*part.values, part.values->is_flags ? bits : bits >> part.shift, visitor);
-    }
+    for_each_name(PackedMeta<T>::info, static_cast<std::uint64_t>(value.raw()), visitor);
   }
 }
 
