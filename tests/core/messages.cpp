@@ -29,8 +29,7 @@ void with_message(Any& message, const Use& use) {
 
 }  // namespace
 
-std::vector<ViolationCopy> violations_of(const AnyMessage& message,
-                                         const Availability& versions) {
+std::vector<ViolationCopy> violations_of(const AnyMessage& message, const Availability& versions) {
   std::vector<ViolationCopy> result;
   message.validate(versions, ViolationCopies{result});
   return result;

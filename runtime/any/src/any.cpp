@@ -64,18 +64,18 @@ AnyMessage::AnyMessage(const AnyMessage& other) : AnyMessage(*other.type_) {
 
 Status AnyMessage::decode(std::span<const std::uint8_t> body, const Contexts& contexts) noexcept {
   const detail::AnyOperations& operations = *type_->operations;
-  const Status status = operations.decode(body, memory_.get(), contexts);
+  const Status status = operations.decode(operations, body, memory_.get(), contexts);
   if (!operations.takes_surplus) return status;
   Tail tail(table().tail, memory_.get());
   tail.assign({});
   if (status.code != Code::too_long || body.size() <= type_->info->max_size) return status;
   tail.assign(body.subspan(status.offset));
-  return operations.decode(body.first(status.offset), memory_.get(), contexts);
+  return operations.decode(operations, body.first(status.offset), memory_.get(), contexts);
 }
 
 WriteResult AnyMessage::encode(std::span<std::uint8_t> out) const noexcept {
   const detail::AnyOperations& operations = *type_->operations;
-  const WriteResult written = operations.encode(memory_.get(), out);
+  const WriteResult written = operations.encode(operations, memory_.get(), out);
   if (!written || !operations.takes_surplus) return written;
   const auto surplus = Tail(table().tail, memory_.get()).bytes();
   if (surplus.empty()) return written;
@@ -85,7 +85,7 @@ WriteResult AnyMessage::encode(std::span<std::uint8_t> out) const noexcept {
   std::memcpy(out.data() + at, surplus.data(), surplus.size());
   alignas(std::max_align_t) std::array<std::byte, detail::largest_with_surplus> memory;
   operations.construct(memory.data());
-  const Status status = operations.decode(out.first(size), memory.data(), {});
+  const Status status = operations.decode(operations, out.first(size), memory.data(), {});
   const bool is_surplus =
       status.code == Code::too_long && size > type_->info->max_size && status.offset == at;
   if (!is_surplus) return {0, {Code::presence_mismatch, at, tail_field.name}};

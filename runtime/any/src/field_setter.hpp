@@ -17,8 +17,8 @@
 namespace sbgc::detail {
 
 /// Walks along a path, adds what is missing on the way, and sets the value at its end; the value of
-/// a list is its size. Without a value, it only adds what is missing, removes what is at the end, or
-/// finds it.
+/// a list is its size. Without a value, it only adds what is missing, removes what is at the end,
+/// or finds it.
 class FieldSetter {
  public:
   enum class End : std::uint8_t { set, remove, find };

@@ -51,10 +51,8 @@ void set_info(FieldType& type, const FieldInfo& field) {
 
 FieldType field_type(const ValueType& type, const void* initial) {
   const auto sized = [&](FieldShape shape) {
-    return FieldType{.shape = shape,
-                     .size = type.wire,
-                     .count = type.count,
-                     .has_count = !type.is_bounded};
+    return FieldType{
+        .shape = shape, .size = type.wire, .count = type.count, .has_count = !type.is_bounded};
   };
   switch (type.kind) {
     case Kind::scalar: return number_type(type, initial);

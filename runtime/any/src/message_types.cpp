@@ -9,6 +9,7 @@
 #include <sbgc/surplus.hpp>
 
 #include "field_types.hpp"
+#include "fixed_codec.hpp"
 
 namespace sbgc {
 
@@ -17,7 +18,8 @@ namespace {
 // Not lambdas: compilers make two functions of each that becomes a pointer.
 
 template <class M>
-Status decode_as(std::span<const std::uint8_t> body, void* message, const Contexts& contexts) {
+Status decode_as(const detail::AnyOperations& /*of*/, std::span<const std::uint8_t> body,
+                 void* message, const Contexts& contexts) {
   M& out = *static_cast<M*>(message);
   if constexpr (requires { typename M::Context; }) {
     return decode(body, out, contexts.of(out));
@@ -26,7 +28,8 @@ Status decode_as(std::span<const std::uint8_t> body, void* message, const Contex
   }
 }
 template <class M>
-WriteResult encode_as(const void* message, std::span<std::uint8_t> out) {
+WriteResult encode_as(const detail::AnyOperations& /*of*/, const void* message,
+                      std::span<std::uint8_t> out) {
   return encode(*static_cast<const M*>(message), out);
 }
 template <class M>
@@ -44,15 +47,23 @@ constexpr auto teacher_of() -> decltype(detail::AnyOperations::teach) {
 }
 
 template <class M>
-constexpr detail::AnyOperations operations_of = {
-    .construct = detail::construct<M>,
-    .decode = decode_as<M>,
-    .encode = encode_as<M>,
-    .teach = teacher_of<M>(),
-    .table = &detail::table_of<Received<M>>(),
-    .size = sizeof(M),
-    .takes_surplus = takes_surplus<M>,
-};
+constexpr detail::AnyOperations operations_of() {
+  detail::AnyOperations result{.construct = detail::construct<M>,
+                               .decode = detail::decode_fixed,
+                               .encode = detail::encode_fixed,
+                               .teach = teacher_of<M>(),
+                               .table = &detail::table_of<Received<M>>(),
+                               .size = sizeof(M),
+                               .min_size = M::min_size,
+                               .takes_surplus = takes_surplus<M>};
+  if constexpr (!detail::has_only_fixed<M>) {
+    result.decode = decode_as<M>;
+    result.encode = encode_as<M>;
+  }
+  return result;
+}
+template <class M>
+constexpr detail::AnyOperations operations = operations_of<M>();
 
 template <class M>
 const std::vector<FieldType>& fields_of() {
@@ -70,7 +81,7 @@ constexpr MessageType type_of() {
           .form = M::form,
           .memory = sizeof(T),
           .fields = fields_of<M>,
-          .operations = &operations_of<M>};
+          .operations = &operations<M>};
 }
 
 template <class M>

@@ -42,15 +42,17 @@ namespace detail {
 /// The most memory of a message that takes surplus.
 inline constexpr std::size_t largest_with_surplus = 1024;
 
-/// What is compiled for each message: its codec. All else goes by the table of the Received<M>.
+/// What depends on the type of a message. All else goes by the table of the Received<M>.
 struct AnyOperations {
   void (*construct)(void* message);
-  Status (*decode)(std::span<const std::uint8_t> body, void* message, const Contexts& contexts);
-  WriteResult (*encode)(const void* message, std::span<std::uint8_t> out);
+  Status (*decode)(const AnyOperations& of, std::span<const std::uint8_t> body, void* message,
+                   const Contexts& contexts);
+  WriteResult (*encode)(const AnyOperations& of, const void* message, std::span<std::uint8_t> out);
   void (*teach)(const void* message, Contexts& contexts);  ///< null if it has no such facts
   const StructTable* table;
-  std::size_t size;    ///< of an M in memory, without the surplus
-  bool takes_surplus;  ///< the tail of the table is surplus
+  std::size_t size;      ///< of an M in memory, without the surplus
+  std::size_t min_size;  ///< of a body
+  bool takes_surplus;    ///< the tail of the table is surplus
 };
 
 }  // namespace detail

@@ -68,7 +68,11 @@ constexpr void for_each_name(const T& value, Visitor&& visitor) {
   } else if constexpr (requires { typename T::flag_type; }) {
     for_each_name(EnumMeta<typename T::flag_type>::info, value.raw(), visitor);
   } else {
-    for_each_name(PackedMeta<T>::info, static_cast<std::uint64_t>(value.raw()), visitor);
+    for (const PartInfo& part : PackedMeta<T>::parts) {
+      if (part.values == nullptr) continue;
+      const auto bits = static_cast<std::uint64_t>(value.raw()) & part.mask;
+      for_each_name(*part.values, part.values->is_flags ? bits : bits >> part.shift, visitor);
+    }
   }
 }
 

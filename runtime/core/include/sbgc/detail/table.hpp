@@ -88,7 +88,7 @@ class UsedMembers {
 struct StructTable {
   std::span<const Slot> slots{};
   const FieldInfo* fields{};  ///< as many
-  Slot tail{};                ///< of bytes that later firmware appends; without a type if there is none
+  Slot tail{};  ///< of bytes that later firmware appends; without a type if there is none
   std::span<const OrderRule> rules{};
   void (*find_used)(const void* object, UsedMembers& used){};  ///< null: the board uses all
 };

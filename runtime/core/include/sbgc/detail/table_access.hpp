@@ -61,8 +61,7 @@ SBGC_ALWAYS_INLINE inline decltype(auto) with_raw(RawType type, Use&& use) {
 
 /// Returns an integer; the bits of one that is unsigned and has 64 bits.
 inline std::int64_t load_integer(RawType type, const void* at) noexcept {
-  return with_raw(
-      type, [at]<class T>(T) { return static_cast<std::int64_t>(load<T>(at)); });
+  return with_raw(type, [at]<class T>(T) { return static_cast<std::int64_t>(load<T>(at)); });
 }
 inline double load_real(RawType type, const void* at) noexcept {
   return type == RawType::f32 ? static_cast<double>(load<float>(at)) : load<double>(at);
@@ -83,6 +82,18 @@ constexpr RawLimits limits_of(RawType type) noexcept {
   const unsigned used = bits[static_cast<unsigned>(type)] - (is_signed(type) ? 1U : 0U);
   const auto highest = static_cast<std::int64_t>(~std::uint64_t{0} >> (64 - used));
   return {is_signed(type) ? -highest - 1 : 0, highest};
+}
+
+/// Precondition: the type is an integer.
+constexpr RawType raw_of_number(NumberType type) noexcept {
+  switch (type) {
+    case NumberType::i8: return RawType::i8;
+    case NumberType::u16: return RawType::u16;
+    case NumberType::i16: return RawType::i16;
+    case NumberType::u32: return RawType::u32;
+    case NumberType::i32: return RawType::i32;
+    default: return RawType::u8;
+  }
 }
 
 /// Returns true for an Optional that has a value, which is at the same place.

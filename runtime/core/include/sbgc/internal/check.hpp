@@ -144,7 +144,7 @@ class Check {
   }
 
   template <class Raw>
-  static constexpr bool is_special(Raw raw, const FieldInfo& field) noexcept {
+  SBGC_ALWAYS_INLINE static constexpr bool is_special(Raw raw, const FieldInfo& field) noexcept {
     bool result = false;
     for (const Special& special : field.special) {
       result |= static_cast<double>(raw) == static_cast<double>(special.value);
@@ -175,7 +175,7 @@ class Check {
     }
   }
   /// Returns the largest integer that is not above `number`.
-  static constexpr std::int64_t whole(double number) noexcept {
+  SBGC_ALWAYS_INLINE static constexpr std::int64_t whole(double number) noexcept {
     const auto integer = static_cast<std::int64_t>(number);
     return static_cast<double>(integer) > number ? integer - 1 : integer;
   }

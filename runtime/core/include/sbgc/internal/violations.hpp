@@ -153,9 +153,9 @@ class Violations {
     const bool has_unit = field.alternative == nullptr && breach.rule != Rule::count;
     const LaterMeaning* const later = meaning_in(field.later, known_versions());
     const UnitInfo* const unit = !has_unit ? nullptr : later != nullptr ? later->unit : field.unit;
-    report_(user_, Violation{place.path, field, breach.value, breach.limit, breach.rule,
-                             breach.unit != nullptr ? breach.unit : unit, breach.named,
-                             breach.other});
+    report_(user_,
+            Violation{place.path, field, breach.value, breach.limit, breach.rule,
+                      breach.unit != nullptr ? breach.unit : unit, breach.named, breach.other});
   }
 
   void exists(const Availability& since, double value, const Place& place,
@@ -218,8 +218,7 @@ class Violations {
 
 /// Returns true if there are none.
 inline bool report_violations(const StructTable& table, const void* message,
-                              const Availability& versions, Violations::Report report,
-                              void* user) {
+                              const Availability& versions, Violations::Report report, void* user) {
   Violations found(versions, report, user);
   found.members(table, message);
   return found.are_none();

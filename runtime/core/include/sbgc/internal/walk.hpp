@@ -41,8 +41,7 @@ SBGC_ALWAYS_INLINE constexpr decltype(auto) walk(T& value, const FieldInfo& fiel
 }
 
 template <class T, class Visitor>
-SBGC_ALWAYS_INLINE constexpr void walk_axes(T& value, const FieldInfo& field,
-                                            Visitor& visitor) {
+SBGC_ALWAYS_INLINE constexpr void walk_axes(T& value, const FieldInfo& field, Visitor& visitor) {
   walk(value[0], field, visitor);
   walk(value[1], field, visitor);
   walk(value[2], field, visitor);
@@ -50,8 +49,7 @@ SBGC_ALWAYS_INLINE constexpr void walk_axes(T& value, const FieldInfo& field,
 
 /// Walks the elements of a list or an array.
 template <class T, class Visitor>
-SBGC_ALWAYS_INLINE constexpr void walk_list(T& value, const FieldInfo& field,
-                                            Visitor& visitor) {
+SBGC_ALWAYS_INLINE constexpr void walk_list(T& value, const FieldInfo& field, Visitor& visitor) {
   for (std::size_t i = 0; i < value.size(); ++i) walk(value[i], field, visitor);
 }
 

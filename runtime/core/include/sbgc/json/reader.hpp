@@ -10,7 +10,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <type_traits>
 
 #include <sbgc/detail/table_access.hpp>
 #include <sbgc/field_path.hpp>
@@ -54,7 +53,9 @@ class JsonReader {
  private:
   void value(const FieldInfo& field, const ValueType& type, void* out, const FieldPath& path) {
     switch (type.kind) {
-      case Kind::scalar: return scalar(type.raw, out, path);
+      case Kind::scalar:
+        if (type.raw > RawType::i32) return other(type.raw, out, path);
+        return store_number(type.raw, out, integer(limits_of(type.raw), path));
       case Kind::axes:
       case Kind::group: return object(&path, *type.group, out);
       case Kind::array:
@@ -73,17 +74,14 @@ class JsonReader {
       case Kind::number: return number(out, path);
     }
   }
-  void scalar(RawType type, void* out, const FieldPath& path) {
-    with_raw(type, [&]<class T>(T number) {
-      if constexpr (std::is_floating_point_v<T>) {
-        real(number, path);
-      } else if constexpr (sizeof number == 8) {
-        decimal(number, path);
-      } else {
-        number = static_cast<T>(integer(limits_of(type), path));
-      }
-      store(out, number);
-    });
+  /// Reads a number that is not an integer of at most 32 bits.
+  void other(RawType type, void* out, const FieldPath& path) {
+    switch (type) {
+      case RawType::u64: return store(out, decimal<std::uint64_t>(path));
+      case RawType::i64: return store(out, decimal<std::int64_t>(path));
+      case RawType::f32: return store(out, real<float>(path));
+      default: return store(out, real<double>(path));
+    }
   }
   void number(void* out, const FieldPath& path) {
     constexpr const char* needed = "an object with the type, such as {\"i16\": -5}, is needed";
@@ -91,23 +89,21 @@ class JsonReader {
     Scope scope = source_.enter();
     JsonString key;
     if (!source_.next(scope, key)) return fail(path, needed);
-    const auto as = [&]<class T>(NumberType type, T number) {
-      if (!(key == name(type))) return false;
-      scalar(raw_type<T>(), &number, FieldPath{&path, name(type)});
-      Number typed{type, 0};
-      if constexpr (std::is_same_v<T, float>) {
-        typed.bits = std::bit_cast<std::uint32_t>(number);
-      } else {
-        typed.bits = static_cast<std::make_unsigned_t<T>>(number);
-      }
-      store(out, typed);
-      return true;
-    };
-    const bool known = as(NumberType::u8, std::uint8_t{}) || as(NumberType::i8, std::int8_t{}) ||
-                       as(NumberType::u16, std::uint16_t{}) ||
-                       as(NumberType::i16, std::int16_t{}) ||
-                       as(NumberType::u32, std::uint32_t{}) ||
-                       as(NumberType::i32, std::int32_t{}) || as(NumberType::f32, float{});
+    Number number;
+    for (const NumberType type : {NumberType::u8, NumberType::i8, NumberType::u16, NumberType::i16,
+                                  NumberType::u32, NumberType::i32, NumberType::f32}) {
+      if (key == name(type)) number.type = type;
+    }
+    const bool known = number.type != NumberType::none;
+    const FieldPath inner{&path, name(number.type)};
+    if (number.type == NumberType::f32) {
+      number.bits = std::bit_cast<std::uint32_t>(real<float>(inner));
+    } else if (known) {
+      const std::uint64_t mask = ~std::uint64_t{0} >> (64 - 8 * size_of(number.type));
+      const std::int64_t value = integer(limits_of(raw_of_number(number.type)), inner);
+      number.bits = static_cast<std::uint32_t>(static_cast<std::uint64_t>(value) & mask);
+    }
+    store(out, number);
     if (ok() && (!known || source_.next(scope, key))) fail(path, needed);
   }
   void bytes(const ValueType& type, void* out, const FieldPath& path) {
@@ -149,9 +145,9 @@ class JsonReader {
     const FieldPath* parent = nullptr;
     Scope scope{};
     JsonString key{};
-    bool has_key = false;     // of a member that is not read yet
-    bool has_read = false;    // a member in this pass
-    bool has_unread = false;  // a member without a value, passed while there was a key
+    bool has_key = false;                 // of a member that is not read yet
+    bool has_read = false;                // a member in this pass
+    bool has_unread = false;              // a member without a value, passed while there was a key
     std::array<std::uint64_t, 4> read{};  // a bit for each member
   };
 
@@ -217,24 +213,26 @@ class JsonReader {
   }
   /// Reads an integer of 64 bits, which is text.
   template <class T>
-  void decimal(T& out, const FieldPath& path) {
+  T decimal(const FieldPath& path) {
+    T out{};
     const ShortText text = short_text();
     const auto [end, error] = std::from_chars(text.begin(), text.end(), out);
     if (!text.is_text || error != std::errc{} || end != text.end()) {
       fail(path, "a string with an integer of 64 bits is needed");
     }
+    return out;
   }
   template <class Float>
-  void real(Float& out, const FieldPath& path) {
+  Float real(const FieldPath& path) {
     double number = 0;
     if (source_.real(number)) {
-      out = static_cast<Float>(number);
-      if (is_finite(out)) return;
+      const auto out = static_cast<Float>(number);
+      if (is_finite(out)) return out;
     } else if (const auto named = float_of_name<Float>(short_text().view())) {
-      out = *named;
-      return;
+      return *named;
     }
     fail(path, "a number is needed");
+    return 0;
   }
 
   /// A string; "" if the value is another one, or is too long for a number.

@@ -8,9 +8,9 @@
 #include <cstdint>
 #include <span>
 #include <string_view>
-#include <type_traits>
 
 #include <sbgc/detail/table_access.hpp>
+#include <sbgc/internal/compiler.hpp>
 #include <sbgc/json/values.hpp>
 #include <sbgc/meta.hpp>
 #include <sbgc/number.hpp>
@@ -45,14 +45,21 @@ class JsonWriter {
   }
 
  private:
-  void member(const FieldInfo& field, const ValueType& type, const void* at) {
+  SBGC_ALWAYS_INLINE void member(const FieldInfo& field, const ValueType& type, const void* at) {
     const bool is_optional = type.kind == Kind::optional;
     if (is_optional && !is_present(type, at)) return;
     sink_.key(field.name);
     value(field, is_optional ? *type.element : type, at);
   }
 
-  void value(const FieldInfo& field, const ValueType& type, const void* at) {
+  SBGC_ALWAYS_INLINE void value(const FieldInfo& field, const ValueType& type, const void* at) {
+    // Most values are integers, which should not pay for the rest.
+    if (type.kind != Kind::scalar || type.raw > RawType::i32) return other(field, type, at);
+    const std::int64_t number = load_integer(type.raw, at);
+    if (is_signed(type.raw)) return sink_.integer(number);
+    sink_.integer(static_cast<std::uint64_t>(number));
+  }
+  SBGC_NOINLINE void other(const FieldInfo& field, const ValueType& type, const void* at) {
     switch (type.kind) {
       case Kind::scalar: return scalar(type.raw, at);
       case Kind::axes:
@@ -67,16 +74,13 @@ class JsonWriter {
     }
   }
   void scalar(RawType type, const void* at) {
-    with_raw(type, [&]<class T>(T) {
-      const T number = load<T>(at);
-      if constexpr (std::is_floating_point_v<T>) {
-        real(number);
-      } else if constexpr (sizeof number == 8) {
-        sink_.decimal(number);  // as text, because many readers of JSON round it
-      } else {
-        sink_.integer(number);
-      }
-    });
+    switch (type) {
+      // As text, because many readers of JSON round them.
+      case RawType::u64: return sink_.decimal(load<std::uint64_t>(at));
+      case RawType::i64: return sink_.decimal(load<std::int64_t>(at));
+      case RawType::f32: return real(load<float>(at));
+      default: return real(load<double>(at));
+    }
   }
   void number(const Number& number) {
     sink_.begin_object();
