@@ -21,8 +21,6 @@ using sbgc::detail::walk_list;
 /// flags without a meaning. Keeps enum values, but reports them.
 class FirmwareLimiter {
  public:
-  using Place = sbgc::detail::FieldPlace;
-
   explicit constexpr FirmwareLimiter(const Availability& versions) : versions_(versions) {}
 
   template <class T>
@@ -33,7 +31,7 @@ class FirmwareLimiter {
   template <class T>
   void operator()(const FieldInfo& field, T& member) {
     if constexpr (!std::is_const_v<T>) {
-      if (is_available(field.since, versions_)) return walk(member, Place(field, {}), *this);
+      if (is_available(field.since, versions_)) return walk(member, field, *this);
       member = T{};
     }
   }
@@ -45,7 +43,7 @@ class FirmwareLimiter {
   // The handlers of the walk.
 
   template <class T>
-  void scalar(T& value, const Place&) {
+  void scalar(T& value, const FieldInfo&) {
     if constexpr (std::is_enum_v<T>) {
       named(EnumMeta<T>::info, static_cast<std::int64_t>(value));
     } else if constexpr (requires { typename T::flag_type; }) {
@@ -54,29 +52,29 @@ class FirmwareLimiter {
       packed(value);
     }
   }
-  void number(Number&, const Place&) {}
+  void number(Number&, const FieldInfo&) {}
   template <class T>
-  void bytes(T&, const Place&) {}
+  void bytes(T&, const FieldInfo&) {}
   template <class T>
-  void text(T&, const Place&) {}
+  void text(T&, const FieldInfo&) {}
   template <class T>
-  void list(T& list, const Place& place) {
-    walk_list(list, place, *this);
+  void list(T& list, const FieldInfo& field) {
+    walk_list(list, field, *this);
   }
   template <class T>
-  void array(T& array, const Place& place) {
-    walk_list(array, place, *this);
+  void array(T& array, const FieldInfo& field) {
+    walk_list(array, field, *this);
   }
   template <class T>
-  void axes(T& axes, const Place& place) {
-    walk_axes(axes, place, *this);
+  void axes(T& axes, const FieldInfo& field) {
+    walk_axes(axes, field, *this);
   }
   template <class T>
-  void optional(T& optional, const Place& place) {
-    if (optional) walk(*optional, place, *this);
+  void optional(T& optional, const FieldInfo& field) {
+    if (optional) walk(*optional, field, *this);
   }
   template <class T>
-  void group(T& value, const Place&) {
+  void group(T& value, const FieldInfo&) {
     members(value);
   }
 

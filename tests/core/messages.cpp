@@ -29,20 +29,9 @@ void with_message(Any& message, const Use& use) {
 
 }  // namespace
 
-std::vector<ViolationCopy> violations_of(const AnyMessage& message) {
+std::vector<ViolationCopy> violations_of(const AnyMessage& message, const Availability& versions) {
   std::vector<ViolationCopy> result;
-  message.validate(newest, ViolationCopies{result});
-  return result;
-}
-
-std::vector<ViolationCopy> walk_violations(const AnyMessage& message,
-                                           const Availability& versions) {
-  std::vector<ViolationCopy> result;
-  ViolationCopies copies{result};
-  with_message(message, [&](const auto& value) {
-    detail::Check<ViolationCopies> check(versions, copies);
-    check.members(value, nullptr);
-  });
+  message.validate(versions, ViolationCopies{result});
   return result;
 }
 

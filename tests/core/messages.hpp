@@ -53,9 +53,9 @@ std::vector<ViolationCopy> violations_of(const M& message) {
   validate(message, ViolationCopies{result});
   return result;
 }
-std::vector<ViolationCopy> violations_of(const AnyMessage& message);
-/// Those that the walk over all members reports, without the quick check before it.
-std::vector<ViolationCopy> walk_violations(const AnyMessage& message, const Availability& versions);
+/// Without the quick check before it.
+std::vector<ViolationCopy> violations_of(const AnyMessage& message,
+                                         const Availability& versions = newest);
 /// The result of the quick check alone.
 bool passes_quick_check(const AnyMessage& message, const Availability& versions);
 

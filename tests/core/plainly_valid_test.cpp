@@ -31,7 +31,7 @@ struct Verdicts {
 
 void expect_agreement(const AnyMessage& message, const char* name, Verdicts& verdicts) {
   for (const Availability& board : boards) {
-    const bool is_valid = walk_violations(message, board).empty();
+    const bool is_valid = violations_of(message, board).empty();
     ASSERT_EQ(passes_quick_check(message, board), is_valid)
         << name << ", firmware " << board.firmware;
     ++(is_valid ? verdicts.valid : verdicts.invalid);

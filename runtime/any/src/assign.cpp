@@ -70,8 +70,7 @@ std::string AnyMessage::assign(std::string_view path, std::string_view text, boo
 
 bool AnyMessage::has(std::string_view path) const {
   detail::FieldSetter finder(path, nullptr, detail::FieldSetter::End::find);
-  type_->operations->set(memory_.get(), finder);
-  return finder.is_done();
+  return finder.set(table(), memory_.get());
 }
 
 std::string AnyMessage::assign(const FieldType& type, const std::string& path,
@@ -126,14 +125,12 @@ std::string AnyMessage::assign(const FieldType& type, const std::string& path,
 
 bool AnyMessage::remove(std::string_view path) {
   detail::FieldSetter setter(path, nullptr, detail::FieldSetter::End::remove);
-  type_->operations->set(memory_.get(), setter);
-  return setter.is_done();
+  return setter.set(table(), memory_.get());
 }
 
 bool AnyMessage::set(std::string_view path, const AnyValue* value) {
   detail::FieldSetter setter(path, value);
-  type_->operations->set(memory_.get(), setter);
-  return setter.is_done();
+  return setter.set(table(), memory_.get());
 }
 
 }  // namespace sbgc

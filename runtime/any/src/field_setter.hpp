@@ -6,120 +6,107 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <type_traits>
-#include <utility>
 #include <variant>
 #include <vector>
 
-#include <sbgc/internal/compiler.hpp>
+#include <sbgc/detail/table_access.hpp>
 #include <sbgc/internal/parse_number.hpp>
-#include <sbgc/internal/walk.hpp>
 #include <sbgc/meta.hpp>
 #include <sbgc/value_text.hpp>
 
 namespace sbgc::detail {
 
 /// Walks along a path, adds what is missing on the way, and sets the value at its end; the value of
-/// a list is its size. Instantiates functions per type of member, not per member of each message.
-/// Without a value, it only adds what is missing, removes what is at the end, or finds it.
+/// a list is its size. Without a value, it only adds what is missing, removes what is at the end,
+/// or finds it.
 class FieldSetter {
  public:
-  using Place = FieldPlace;
-
   enum class End : std::uint8_t { set, remove, find };
 
   FieldSetter(std::string_view path, const AnyValue* value, End end = End::set)
       : rest_(path), value_(value), end_(end) {}
 
-  /// True if the message has the field, and the field takes the value.
-  bool is_done() const { return is_done_; }
-
-  template <class T>
-  SBGC_NOINLINE void members(T& value) {
-    if (!is_found()) Meta<T>::visit(value, Member{*this, take_name()});
+  /// Returns true if the message has the field, and the field takes the value.
+  bool set(const StructTable& table, void* message) {
+    members(table, message);
+    return is_done_;
   }
 
-  // The handlers of the walk.
+ private:
+  void members(const StructTable& table, void* object) {
+    if (is_found()) return;
+    const std::string_view name = take_name();
+    const FieldInfo* field = table.fields;
+    for (const Slot& slot : table.slots) {
+      if (name == (field++)->name) return value(*slot.type, moved(object, slot.offset));
+    }
+    if (table.tail.type == nullptr || name != tail_field.name) return;
+    value(*table.tail.type, moved(object, table.tail.offset));
+  }
 
-  template <class T>
-  SBGC_NOINLINE void scalar(T& out, const Place&) {
-    using Raw = RawOf<T>;
-    using Value = std::conditional_t<std::is_floating_point_v<Raw>, double, std::int64_t>;
-    if (const auto* const value = taken<Value>()) out = static_cast<T>(static_cast<Raw>(*value));
+  void value(const ValueType& type, void* at) {
+    switch (type.kind) {
+      case Kind::scalar: return scalar(type.raw, at);
+      case Kind::axes:
+      case Kind::group: return members(*type.group, at);
+      case Kind::array: return array(type, at);
+      case Kind::list: return list(type, at);
+      case Kind::bytes: return chars<std::vector<std::uint8_t>>(type, at);
+      case Kind::text: return chars<std::string>(type, at);
+      case Kind::optional: return optional(type, at);
+      case Kind::counter: return static_cast<void>(is_found());  // follows from the list
+      case Kind::number:
+        if (const auto* const value = taken<Number>()) store(at, *value);
+        return;
+    }
   }
-  void counter(Counter&, const Place&) { is_found(); }  // follows from the list
-  void number(Number& out, const Place&) {
-    if (const auto* const value = taken<Number>()) out = *value;
+  void scalar(RawType type, void* at) {
+    if (is_real(type)) {
+      if (const auto* const value = taken<double>()) store_number(type, at, *value);
+    } else if (const auto* const value = taken<std::int64_t>()) {
+      store_number(type, at, *value);
+    }
   }
-  template <class T>
-  SBGC_NOINLINE void bytes(T& out, const Place&) {
-    const auto* const value = taken<std::vector<std::uint8_t>>();
+  template <class Chars>
+  void chars(const ValueType& type, void* at) {
+    const auto* const value = taken<Chars>();
     if (value == nullptr) return;
-    if constexpr (is_bounded<T>) {
-      is_done_ = out.resize(value->size());
-    } else {
-      is_done_ = out.size() == value->size();
-    }
-    if (is_done_) std::copy(value->begin(), value->end(), out.begin());
+    const bool is_padded = type.kind == Kind::text && !type.is_bounded;
+    is_done_ = is_padded ? value->size() <= type.count : resize(type, at, value->size());
+    if (!is_done_) return;
+    auto* const begin = static_cast<char*>(moved(at, type.begin));
+    if (is_padded) std::fill_n(begin, type.count, '\0');
+    std::copy(value->begin(), value->end(), begin);
   }
-  template <class T>
-  SBGC_NOINLINE void text(T& out, const Place&) {
-    if (const auto* const value = taken<std::string>()) {
-      is_done_ = out.assign(std::string_view(*value));
-    }
-  }
-  template <class T>
-  SBGC_NOINLINE void list(T& out, const Place& place) {
+  void list(const ValueType& type, void* at) {
     if (rest_.empty()) {
       if (end_ == End::remove) {
-        out.clear();
-        is_done_ = true;
+        is_done_ = resize(type, at, 0);
       } else if (const auto* const size = taken<std::int64_t>()) {
-        is_done_ = out.resize(static_cast<std::size_t>(*size));
+        is_done_ = resize(type, at, static_cast<std::size_t>(*size));
       }
       return;
     }
     const std::size_t index = take_index();
-    if (index >= T::capacity()) return;
-    if (index >= out.size() && (end_ == End::find || !out.resize(index + 1))) return;
-    walk(out[index], place, *this);
+    if (index >= type.count) return;
+    if (index >= size_at(type, at) && (end_ == End::find || !resize(type, at, index + 1))) return;
+    value(*type.element, element_at(type, at, index));
   }
-  template <class T>
-  SBGC_NOINLINE void array(T& out, const Place& place) {
+  void array(const ValueType& type, void* at) {
     if (is_found()) return;
     const std::size_t index = take_index();
-    if (index < out.size()) walk(out[index], place, *this);
+    if (index < type.count) value(*type.element, element_at(type, at, index));
   }
-  template <class T>
-  void axes(T& out, const Place&) {
-    members(out);
-  }
-  template <class T>
-  void optional(T& out, const Place& place) {
+  void optional(const ValueType& type, void* at) {
     if (rest_.empty() && end_ == End::remove) {
-      out.reset();
+      set_present(type, at, false);
       is_done_ = true;
       return;
     }
-    if (!out && end_ == End::find) return;
-    if (!out) out.emplace();
-    walk(*out, place, *this);
+    if (!is_present(type, at) && end_ == End::find) return;
+    set_present(type, at, true);
+    value(*type.element, at);
   }
-  template <class T>
-  void group(T& out, const Place&) {
-    members(out);
-  }
-
- private:
-  struct Member {
-    FieldSetter& setter;
-    std::string_view name;
-
-    template <class T>
-    void operator()(const FieldInfo& field, T&& member) const {
-      if (name == field.name) walk(member, Place(field, {}), setter);
-    }
-  };
 
   /// True if the path ends here, and nothing else is asked.
   bool is_found() {

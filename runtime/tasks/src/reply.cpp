@@ -12,7 +12,8 @@ namespace sbgc::detail {
 
 Status decode_in_context(const Reply& reply, const MessageType& type, void* out) noexcept {
   const Contexts none;
-  return type.operations->decode(reply.body, out, reply.contexts ? *reply.contexts : none);
+  const AnyOperations& operations = *type.operations;
+  return operations.decode(operations, reply.body, out, reply.contexts ? *reply.contexts : none);
 }
 
 Result<std::int64_t> stream_interval_count(std::chrono::milliseconds interval, std::int64_t most) {

@@ -3,6 +3,9 @@
 /// Run-time metadata of the messages in <sbgc/messages/adjustable_variables.hpp>.
 #pragma once
 
+#include <cstddef>
+
+#include <sbgc/detail/table.hpp>
 #include <sbgc/messages/adjustable_variables.hpp>
 #include <sbgc/meta.hpp>
 #include <sbgc/meta/enums.hpp>
@@ -13,18 +16,19 @@ namespace sbgc {
 template <>
 struct Meta<msg::AdjVarValue> {
   static constexpr FieldInfo fields[] = {
-      {.name = "param_id",
-       .spec_name = "PARAM_ID",
+      {.name = "param_id", .spec_name = "PARAM_ID",
        .summary = "The variable (Appendix B)."},
-      {.name = "param_value",
-       .spec_name = "PARAM_VALUE",
+      {.name = "param_value", .spec_name = "PARAM_VALUE",
        .summary = "The value, extended to 32 bits whatever the type of the variable.",
        .is_variable_value = true},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, param_id), &detail::value_type<decltype(T::param_id)>},
+      {offsetof(T, param_value), &detail::value_type<decltype(T::param_value)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.param_id);
     visitor(fields[1], value.param_value);
   }
@@ -33,19 +37,20 @@ struct Meta<msg::AdjVarValue> {
 template <>
 struct Meta<msg::TriggerSlot> {
   static constexpr FieldInfo fields[] = {
-      {.name = "src_ch",
-       .spec_name = "SRC_CH",
+      {.name = "src_ch", .spec_name = "SRC_CH",
        .summary = "RC signal.",
        .saved_as = "adj__vars__trigger/src__ch"},
-      {.name = "action",
-       .spec_name = "ACTION{1..5}",
+      {.name = "action", .spec_name = "ACTION{1..5}",
        .summary = "Action of each signal level.",
        .saved_as = "adj__vars__trigger/action"},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, src_ch), &detail::value_type<decltype(T::src_ch)>},
+      {offsetof(T, action), &detail::value_type<decltype(T::action)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.src_ch);
     visitor(fields[1], value.action);
   }
@@ -54,23 +59,24 @@ struct Meta<msg::TriggerSlot> {
 template <>
 struct Meta<msg::AnalogSlot> {
   static constexpr FieldInfo fields[] = {
-      {.name = "src_ch",
-       .spec_name = "SRC_CH",
+      {.name = "src_ch", .spec_name = "SRC_CH",
        .summary = "RC signal."},
-      {.name = "param_id",
-       .spec_name = "PARAM_ID",
+      {.name = "param_id", .spec_name = "PARAM_ID",
        .summary = "Variable to change (Appendix B)."},
-      {.name = "min_val",
-       .spec_name = "MIN_VAL",
+      {.name = "min_val", .spec_name = "MIN_VAL",
        .summary = "Start of the working range, as a fraction of the variable's range."},
-      {.name = "max_val",
-       .spec_name = "MAX_VAL",
+      {.name = "max_val", .spec_name = "MAX_VAL",
        .summary = "End of the working range, as a fraction of the variable's range."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, src_ch), &detail::value_type<decltype(T::src_ch)>},
+      {offsetof(T, param_id), &detail::value_type<decltype(T::param_id)>},
+      {offsetof(T, min_val), &detail::value_type<decltype(T::min_val)>},
+      {offsetof(T, max_val), &detail::value_type<decltype(T::max_val)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.src_ch);
     visitor(fields[1], value.param_id);
     visitor(fields[2], value.min_val);
@@ -81,27 +87,28 @@ struct Meta<msg::AnalogSlot> {
 template <>
 struct Meta<msg::AdjVarInfo> {
   static constexpr FieldInfo fields[] = {
-      {.name = "var_id",
-       .spec_name = "VAR_ID",
+      {.name = "var_id", .spec_name = "VAR_ID",
        .summary = "The variable."},
-      {.name = "name",
-       .spec_name = "NAME",
+      {.name = "name", .spec_name = "NAME",
        .summary = "Its name, at most 16 characters."},
-      {.name = "range_min",
-       .spec_name = "RANGE_MIN",
+      {.name = "range_min", .spec_name = "RANGE_MIN",
        .summary = "Its lowest value."},
-      {.name = "range_max",
-       .spec_name = "RANGE_MAX",
+      {.name = "range_max", .spec_name = "RANGE_MAX",
        .summary = "Its highest value."},
-      {.name = "value",
-       .spec_name = "VALUE",
+      {.name = "value", .spec_name = "VALUE",
        .summary = "Its value.",
        .is_variable_value = true},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, var_id), &detail::value_type<decltype(T::var_id)>},
+      {offsetof(T, name), &detail::value_type<decltype(T::name)>},
+      {offsetof(T, range_min), &detail::value_type<decltype(T::range_min)>},
+      {offsetof(T, range_max), &detail::value_type<decltype(T::range_max)>},
+      {offsetof(T, value), &detail::value_type<decltype(T::value)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.var_id);
     visitor(fields[1], value.name);
     visitor(fields[2], value.range_min);
@@ -118,17 +125,18 @@ struct Meta<msg::AdjVarInfo> {
 template <>
 struct Meta<msg::AdjVarFloat> {
   static constexpr FieldInfo fields[] = {
-      {.name = "id",
-       .spec_name = "ID",
+      {.name = "id", .spec_name = "ID",
        .summary = "The variable (Appendix B)."},
-      {.name = "value",
-       .spec_name = "VALUE",
+      {.name = "value", .spec_name = "VALUE",
        .summary = "The value."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, id), &detail::value_type<decltype(T::id)>},
+      {offsetof(T, value), &detail::value_type<decltype(T::value)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.id);
     visitor(fields[1], value.value);
   }
@@ -148,18 +156,19 @@ struct Meta<msg::SetAdjVarsVal> {
       .effects = Effects(Effect::sets) | Effect::moves};
   static constexpr Range num_vars_range{1, 40};
   static constexpr FieldInfo fields[] = {
-      {.name = "num_vars",
-       .spec_name = "NUM_VARS",
+      {.name = "num_vars", .spec_name = "NUM_VARS",
        .summary = "Number of variables that follow.",
        .range = &num_vars_range},
-      {.name = "params",
-       .spec_name = "params",
+      {.name = "params", .spec_name = "params",
        .summary = "The variables."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, params), &detail::counter_type<decltype(T::params)>},
+      {offsetof(T, params), &detail::value_type<decltype(T::params)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], Counter{value.params.size()});
     visitor(fields[1], value.params);
     visitor(tail_field, value.tail);
@@ -182,18 +191,19 @@ struct Meta<msg::GetAdjVarsVal> {
       .effects = Effects(Effect::reads)};
   static constexpr Range num_vars_range{1, 40};
   static constexpr FieldInfo fields[] = {
-      {.name = "num_vars",
-       .spec_name = "NUM_VARS",
+      {.name = "num_vars", .spec_name = "NUM_VARS",
        .summary = "Number of variables that follow.",
        .range = &num_vars_range},
-      {.name = "param_id",
-       .spec_name = "PARAM_ID",
+      {.name = "param_id", .spec_name = "PARAM_ID",
        .summary = "The variables (Appendix B)."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, param_id), &detail::counter_type<decltype(T::param_id)>},
+      {offsetof(T, param_id), &detail::value_type<decltype(T::param_id)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], Counter{value.param_id.size()});
     visitor(fields[1], value.param_id);
   }
@@ -211,21 +221,22 @@ struct Meta<msg::ReadAdjVarsCfg> {
       .max_size = 128,
       .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
-      {.name = "trigger_slots",
-       .spec_name = "trigger_slots",
+      {.name = "trigger_slots", .spec_name = "trigger_slots",
        .summary = "RC signals that trigger actions; the range of a signal is split into five levels."},
-      {.name = "analog_slots",
-       .spec_name = "analog_slots",
+      {.name = "analog_slots", .spec_name = "analog_slots",
        .summary = "RC signals that change adjustable variables."},
-      {.name = "reserved",
-       .spec_name = "RESERVED",
+      {.name = "reserved", .spec_name = "RESERVED",
        .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, trigger_slots), &detail::value_type<decltype(T::trigger_slots)>},
+      {offsetof(T, analog_slots), &detail::value_type<decltype(T::analog_slots)>},
+      {offsetof(T, reserved), &detail::value_type<decltype(T::reserved)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.trigger_slots);
     visitor(fields[1], value.analog_slots);
     visitor(fields[2], value.reserved);
@@ -248,9 +259,7 @@ struct Meta<msg::ReadAdjVarsCfgRequest> {
       .answers = answers,
       .effects = Effects(Effect::reads)};
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T&, Visitor&&) {
+  static constexpr void visit(auto&, auto&&) {
   }
 };
 
@@ -269,32 +278,33 @@ struct Meta<msg::AdjVarsState> {
   static constexpr Range trigger_action_range{0, 255};
   static constexpr Range analog_rc_data_range{-500, 500};
   static constexpr FieldInfo fields[] = {
-      {.name = "trigger_rc_data",
-       .spec_name = "TRIGGER_RC_DATA",
+      {.name = "trigger_rc_data", .spec_name = "TRIGGER_RC_DATA",
        .summary = "RC signal of the trigger slot.",
        .unit = &UnitMeta<msg::CentredRcSignal>::info,
        .range = &trigger_rc_data_range},
-      {.name = "trigger_action",
-       .spec_name = "TRIGGER_ACTION",
+      {.name = "trigger_action", .spec_name = "TRIGGER_ACTION",
        .summary = "Action that the slot triggered.",
        .range = &trigger_action_range},
-      {.name = "analog_rc_data",
-       .spec_name = "ANALOG_RC_DATA",
+      {.name = "analog_rc_data", .spec_name = "ANALOG_RC_DATA",
        .summary = "RC signal of the analog slot.",
        .unit = &UnitMeta<msg::CentredRcSignal>::info,
        .range = &analog_rc_data_range},
-      {.name = "analog_value",
-       .spec_name = "ANALOG_VALUE",
+      {.name = "analog_value", .spec_name = "ANALOG_VALUE",
        .summary = "Value of the variable, in its own units."},
-      {.name = "reserved",
-       .spec_name = "RESERVED",
+      {.name = "reserved", .spec_name = "RESERVED",
        .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, trigger_rc_data), &detail::value_type<decltype(T::trigger_rc_data)>},
+      {offsetof(T, trigger_action), &detail::value_type<decltype(T::trigger_action)>},
+      {offsetof(T, analog_rc_data), &detail::value_type<decltype(T::analog_rc_data)>},
+      {offsetof(T, analog_value), &detail::value_type<decltype(T::analog_value)>},
+      {offsetof(T, reserved), &detail::value_type<decltype(T::reserved)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.trigger_rc_data);
     visitor(fields[1], value.trigger_action);
     visitor(fields[2], value.analog_rc_data);
@@ -320,36 +330,37 @@ struct Meta<msg::AdjVarsStateExt> {
   static constexpr Range analog_src_value_range{-16384, 16384};
   static constexpr Range lut_src_value_range{-16384, 16384};
   static constexpr FieldInfo fields[] = {
-      {.name = "trigger_rc_data",
-       .spec_name = "TRIGGER_RC_DATA",
+      {.name = "trigger_rc_data", .spec_name = "TRIGGER_RC_DATA",
        .summary = "RC signal of the trigger slot.",
        .unit = &UnitMeta<msg::FineRcSignal>::info,
        .range = &trigger_rc_data_range},
-      {.name = "trigger_action",
-       .spec_name = "TRIGGER_ACTION",
+      {.name = "trigger_action", .spec_name = "TRIGGER_ACTION",
        .summary = "Action that the slot triggered.",
        .range = &trigger_action_range},
-      {.name = "analog_src_value",
-       .spec_name = "ANALOG_SRC_VALUE",
+      {.name = "analog_src_value", .spec_name = "ANALOG_SRC_VALUE",
        .summary = "RC signal of ANALOG_SRC_ID.",
        .unit = &UnitMeta<msg::FineRcSignal>::info,
        .range = &analog_src_value_range},
-      {.name = "analog_var_value",
-       .spec_name = "ANALOG_VAR_VALUE",
+      {.name = "analog_var_value", .spec_name = "ANALOG_VAR_VALUE",
        .summary = "Value of ANALOG_VAR_ID, in its own units."},
-      {.name = "lut_src_value",
-       .spec_name = "LUT_SRC_VALUE",
+      {.name = "lut_src_value", .spec_name = "LUT_SRC_VALUE",
        .summary = "RC signal of LUT_SRC_ID.",
        .unit = &UnitMeta<msg::FineRcSignal>::info,
        .range = &lut_src_value_range},
-      {.name = "lut_var_value",
-       .spec_name = "LUT_VAR_VALUE",
+      {.name = "lut_var_value", .spec_name = "LUT_VAR_VALUE",
        .summary = "Value of LUT_VAR_ID, in its own units."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, trigger_rc_data), &detail::value_type<decltype(T::trigger_rc_data)>},
+      {offsetof(T, trigger_action), &detail::value_type<decltype(T::trigger_action)>},
+      {offsetof(T, analog_src_value), &detail::value_type<decltype(T::analog_src_value)>},
+      {offsetof(T, analog_var_value), &detail::value_type<decltype(T::analog_var_value)>},
+      {offsetof(T, lut_src_value), &detail::value_type<decltype(T::lut_src_value)>},
+      {offsetof(T, lut_var_value), &detail::value_type<decltype(T::lut_var_value)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.trigger_rc_data);
     visitor(fields[1], value.trigger_action);
     visitor(fields[2], value.analog_src_value);
@@ -375,17 +386,18 @@ struct Meta<msg::AdjVarsStateRequest> {
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr FieldInfo fields[] = {
-      {.name = "trigger_slot",
-       .spec_name = "TRIGGER_SLOT",
+      {.name = "trigger_slot", .spec_name = "TRIGGER_SLOT",
        .summary = "Trigger slot, counted from 0."},
-      {.name = "analog_slot",
-       .spec_name = "ANALOG_SLOT",
+      {.name = "analog_slot", .spec_name = "ANALOG_SLOT",
        .summary = "Analog slot, counted from 0."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, trigger_slot), &detail::value_type<decltype(T::trigger_slot)>},
+      {offsetof(T, analog_slot), &detail::value_type<decltype(T::analog_slot)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.trigger_slot);
     visitor(fields[1], value.analog_slot);
   }
@@ -407,27 +419,28 @@ struct Meta<msg::AdjVarsStateRequestExt> {
       .effects = Effects(Effect::reads)};
   static constexpr Range trigger_slot_range{0, 9};
   static constexpr FieldInfo fields[] = {
-      {.name = "trigger_slot",
-       .spec_name = "TRIGGER_SLOT",
+      {.name = "trigger_slot", .spec_name = "TRIGGER_SLOT",
        .summary = "Trigger slot, counted from 0.",
        .range = &trigger_slot_range},
-      {.name = "analog_src_id",
-       .spec_name = "ANALOG_SRC_ID",
+      {.name = "analog_src_id", .spec_name = "ANALOG_SRC_ID",
        .summary = "RC signal to report."},
-      {.name = "analog_var_id",
-       .spec_name = "ANALOG_VAR_ID",
+      {.name = "analog_var_id", .spec_name = "ANALOG_VAR_ID",
        .summary = "Variable to report."},
-      {.name = "lut_src_id",
-       .spec_name = "LUT_SRC_ID",
+      {.name = "lut_src_id", .spec_name = "LUT_SRC_ID",
        .summary = "RC signal of a lookup table to report."},
-      {.name = "lut_var_id",
-       .spec_name = "LUT_VAR_ID",
+      {.name = "lut_var_id", .spec_name = "LUT_VAR_ID",
        .summary = "Variable of a lookup table to report."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, trigger_slot), &detail::value_type<decltype(T::trigger_slot)>},
+      {offsetof(T, analog_src_id), &detail::value_type<decltype(T::analog_src_id)>},
+      {offsetof(T, analog_var_id), &detail::value_type<decltype(T::analog_var_id)>},
+      {offsetof(T, lut_src_id), &detail::value_type<decltype(T::lut_src_id)>},
+      {offsetof(T, lut_var_id), &detail::value_type<decltype(T::lut_var_id)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.trigger_slot);
     visitor(fields[1], value.analog_src_id);
     visitor(fields[2], value.analog_var_id);
@@ -448,17 +461,18 @@ struct Meta<msg::AdjVarsInfo> {
       .max_size = 255,
       .since = {.firmware = 2730}};
   static constexpr FieldInfo fields[] = {
-      {.name = "total_number",
-       .spec_name = "TOTAL_NUMBER",
+      {.name = "total_number", .spec_name = "TOTAL_NUMBER",
        .summary = "Number of variables of the board, of which a message holds a part."},
-      {.name = "vars",
-       .spec_name = "vars",
+      {.name = "vars", .spec_name = "vars",
        .summary = "The variables, from START_ID on."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, total_number), &detail::value_type<decltype(T::total_number)>},
+      {offsetof(T, vars), &detail::value_type<decltype(T::vars)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.total_number);
     visitor(fields[1], value.vars);
   }
@@ -479,14 +493,15 @@ struct Meta<msg::AdjVarsInfoRequest> {
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr FieldInfo fields[] = {
-      {.name = "start_id",
-       .spec_name = "START_ID",
+      {.name = "start_id", .spec_name = "START_ID",
        .summary = "First variable to describe; for the next page, the last one that came, plus 1. The last page is empty."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, start_id), &detail::value_type<decltype(T::start_id)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.start_id);
   }
 };
@@ -507,9 +522,7 @@ struct Meta<msg::AdjVarsInfoRequestAll> {
       .answers = answers,
       .effects = Effects(Effect::reads)};
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T&, Visitor&&) {
+  static constexpr void visit(auto&, auto&&) {
   }
 };
 
@@ -527,18 +540,19 @@ struct Meta<msg::SetAdjVarsValF> {
       .effects = Effects(Effect::sets) | Effect::moves};
   static constexpr Range num_params_range{1, 40};
   static constexpr FieldInfo fields[] = {
-      {.name = "num_params",
-       .spec_name = "NUM_PARAMS",
+      {.name = "num_params", .spec_name = "NUM_PARAMS",
        .summary = "Number of variables that follow.",
        .range = &num_params_range},
-      {.name = "params",
-       .spec_name = "params",
+      {.name = "params", .spec_name = "params",
        .summary = "The variables."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, params), &detail::counter_type<decltype(T::params)>},
+      {offsetof(T, params), &detail::value_type<decltype(T::params)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], Counter{value.params.size()});
     visitor(fields[1], value.params);
     visitor(tail_field, value.tail);
@@ -561,18 +575,19 @@ struct Meta<msg::GetAdjVarsValF> {
       .effects = Effects(Effect::reads)};
   static constexpr Range num_params_range{1, 40};
   static constexpr FieldInfo fields[] = {
-      {.name = "num_params",
-       .spec_name = "NUM_PARAMS",
+      {.name = "num_params", .spec_name = "NUM_PARAMS",
        .summary = "Number of variables that follow.",
        .range = &num_params_range},
-      {.name = "id",
-       .spec_name = "ID",
+      {.name = "id", .spec_name = "ID",
        .summary = "The variables (Appendix B)."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, id), &detail::counter_type<decltype(T::id)>},
+      {offsetof(T, id), &detail::value_type<decltype(T::id)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], Counter{value.id.size()});
     visitor(fields[1], value.id);
   }

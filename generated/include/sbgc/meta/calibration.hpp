@@ -3,6 +3,9 @@
 /// Run-time metadata of the messages in <sbgc/messages/calibration.hpp>.
 #pragma once
 
+#include <cstddef>
+
+#include <sbgc/detail/table.hpp>
 #include <sbgc/messages/calibration.hpp>
 #include <sbgc/meta.hpp>
 #include <sbgc/meta/enums.hpp>
@@ -13,18 +16,19 @@ namespace sbgc {
 template <>
 struct Meta<msg::AxisTuning> {
   static constexpr FieldInfo fields[] = {
-      {.name = "tracking_error",
-       .spec_name = "TRACKING_ERROR",
+      {.name = "tracking_error", .spec_name = "TRACKING_ERROR",
        .summary = "Tracking error of the axis."},
-      {.name = "reserved",
-       .spec_name = "RESERVED",
+      {.name = "reserved", .spec_name = "RESERVED",
        .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, tracking_error), &detail::value_type<decltype(T::tracking_error)>},
+      {offsetof(T, reserved), &detail::value_type<decltype(T::reserved)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.tracking_error);
     visitor(fields[1], value.reserved);
   }
@@ -33,36 +37,37 @@ struct Meta<msg::AxisTuning> {
 template <>
 struct Meta<msg::AxisTuningConfig> {
   static constexpr FieldInfo fields[] = {
-      {.name = "axis_flags",
-       .spec_name = "AXIS_FLAGS",
+      {.name = "axis_flags", .spec_name = "AXIS_FLAGS",
        .summary = "What to tune."},
-      {.name = "gain",
-       .spec_name = "GAIN",
+      {.name = "gain", .spec_name = "GAIN",
        .summary = "Gain to aim for."},
-      {.name = "stimulus_gain",
-       .spec_name = "STIMULUS_GAIN",
+      {.name = "stimulus_gain", .spec_name = "STIMULUS_GAIN",
        .summary = "Strength of the test signal."},
-      {.name = "effective_freq",
-       .spec_name = "EFFECTIVE_FREQ",
+      {.name = "effective_freq", .spec_name = "EFFECTIVE_FREQ",
        .summary = "Effective frequency.",
        .unit = &UnitMeta<msg::SmallFrequency>::info},
-      {.name = "problem_freq",
-       .spec_name = "PROBLEM_FREQ",
+      {.name = "problem_freq", .spec_name = "PROBLEM_FREQ",
        .summary = "Frequency of a known problem.",
        .unit = &UnitMeta<msg::SmallFrequency>::info},
-      {.name = "problem_margin",
-       .spec_name = "PROBLEM_MARGIN",
+      {.name = "problem_margin", .spec_name = "PROBLEM_MARGIN",
        .summary = "Margin at that frequency.",
        .unit = &UnitMeta<msg::TenthDecibels>::info},
-      {.name = "reserved",
-       .spec_name = "RESERVED",
+      {.name = "reserved", .spec_name = "RESERVED",
        .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, axis_flags), &detail::value_type<decltype(T::axis_flags)>},
+      {offsetof(T, gain), &detail::value_type<decltype(T::gain)>},
+      {offsetof(T, stimulus_gain), &detail::value_type<decltype(T::stimulus_gain)>},
+      {offsetof(T, effective_freq), &detail::value_type<decltype(T::effective_freq)>},
+      {offsetof(T, problem_freq), &detail::value_type<decltype(T::problem_freq)>},
+      {offsetof(T, problem_margin), &detail::value_type<decltype(T::problem_margin)>},
+      {offsetof(T, reserved), &detail::value_type<decltype(T::reserved)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.axis_flags);
     visitor(fields[1], value.gain);
     visitor(fields[2], value.stimulus_gain);
@@ -77,45 +82,46 @@ template <>
 struct Meta<msg::AutoPid2Config> {
   static constexpr Range cfg_version_range{1, 1};
   static constexpr FieldInfo fields[] = {
-      {.name = "cfg_version",
-       .spec_name = "CFG_VERSION",
+      {.name = "cfg_version", .spec_name = "CFG_VERSION",
        .summary = "Version of the configuration.",
        .range = &cfg_version_range},
-      {.name = "axes",
-       .spec_name = "axes",
+      {.name = "axes", .spec_name = "axes",
        .summary = "How to tune each axis."},
-      {.name = "general_flags",
-       .spec_name = "GENERAL_FLAGS",
+      {.name = "general_flags", .spec_name = "GENERAL_FLAGS",
        .summary = "Options."},
-      {.name = "reserved_1",
-       .spec_name = "RESERVED",
+      {.name = "reserved_1", .spec_name = "RESERVED",
        .summary = "Reserved; kept as it is.",
        .reserved = true},
-      {.name = "test_freq_from",
-       .spec_name = "TEST_FREQ_FROM",
+      {.name = "test_freq_from", .spec_name = "TEST_FREQ_FROM",
        .summary = "Lowest frequency of the test signal.",
        .unit = &UnitMeta<msg::TenthHertz>::info},
-      {.name = "test_freq_to",
-       .spec_name = "TEST_FREQ_TO",
+      {.name = "test_freq_to", .spec_name = "TEST_FREQ_TO",
        .summary = "Highest frequency of the test signal.",
        .unit = &UnitMeta<msg::TwoHertz>::info},
-      {.name = "multi_pos_flag",
-       .spec_name = "MULTI_POS_FLAG",
+      {.name = "multi_pos_flag", .spec_name = "MULTI_POS_FLAG",
        .summary = "Positions in which to tune."},
-      {.name = "multi_pos_angle",
-       .spec_name = "MULTI_POS_ANGLE",
+      {.name = "multi_pos_angle", .spec_name = "MULTI_POS_ANGLE",
        .summary = "Angle of each position.",
        .unit = &UnitMeta<msg::EncoderLimit>::info,
        .directed = Directed::by_axis},
-      {.name = "reserved_2",
-       .spec_name = "RESERVED",
+      {.name = "reserved_2", .spec_name = "RESERVED",
        .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, cfg_version), &detail::value_type<decltype(T::cfg_version)>},
+      {offsetof(T, axes), &detail::value_type<decltype(T::axes)>},
+      {offsetof(T, general_flags), &detail::value_type<decltype(T::general_flags)>},
+      {offsetof(T, reserved_1), &detail::value_type<decltype(T::reserved_1)>},
+      {offsetof(T, test_freq_from), &detail::value_type<decltype(T::test_freq_from)>},
+      {offsetof(T, test_freq_to), &detail::value_type<decltype(T::test_freq_to)>},
+      {offsetof(T, multi_pos_flag), &detail::value_type<decltype(T::multi_pos_flag)>},
+      {offsetof(T, multi_pos_angle), &detail::value_type<decltype(T::multi_pos_angle)>},
+      {offsetof(T, reserved_2), &detail::value_type<decltype(T::reserved_2)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.cfg_version);
     visitor(fields[1], value.axes);
     visitor(fields[2], value.general_flags);
@@ -136,33 +142,34 @@ struct Meta<msg::CoggingMotor> {
       {0, "automatic"},
   };
   static constexpr FieldInfo fields[] = {
-      {.name = "angle",
-       .spec_name = "ANGLE",
+      {.name = "angle", .spec_name = "ANGLE",
        .summary = "Angle by which the motor turns.",
        .unit = &UnitMeta<msg::WideDegrees>::info,
        .range = &angle_range},
-      {.name = "smooth",
-       .spec_name = "SMOOTH",
+      {.name = "smooth", .spec_name = "SMOOTH",
        .summary = "Smoothing of the result.",
        .unit = &UnitMeta<msg::Percent>::info,
        .range = &smooth_range},
-      {.name = "speed",
-       .spec_name = "SPEED",
+      {.name = "speed", .spec_name = "SPEED",
        .summary = "Speed of the motion; relative."},
-      {.name = "period",
-       .spec_name = "PERIOD",
+      {.name = "period", .spec_name = "PERIOD",
        .summary = "Angle after which the cogging repeats.",
        .unit = &UnitMeta<msg::WideDegrees>::info,
        .special = period_special},
-      {.name = "reserved",
-       .spec_name = "RESERVED",
+      {.name = "reserved", .spec_name = "RESERVED",
        .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, angle), &detail::value_type<decltype(T::angle)>},
+      {offsetof(T, smooth), &detail::value_type<decltype(T::smooth)>},
+      {offsetof(T, speed), &detail::value_type<decltype(T::speed)>},
+      {offsetof(T, period), &detail::value_type<decltype(T::period)>},
+      {offsetof(T, reserved), &detail::value_type<decltype(T::reserved)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.angle);
     visitor(fields[1], value.smooth);
     visitor(fields[2], value.speed);
@@ -176,19 +183,20 @@ struct Meta<msg::BodeSample> {
   static constexpr Range input_range{0, 65534};
   static constexpr Range output_range{0, 65534};
   static constexpr FieldInfo fields[] = {
-      {.name = "input",
-       .spec_name = "INPUT",
+      {.name = "input", .spec_name = "INPUT",
        .summary = "Input.",
        .range = &input_range},
-      {.name = "output",
-       .spec_name = "OUTPUT",
+      {.name = "output", .spec_name = "OUTPUT",
        .summary = "Output.",
        .range = &output_range},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, input), &detail::value_type<decltype(T::input)>},
+      {offsetof(T, output), &detail::value_type<decltype(T::output)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.input);
     visitor(fields[1], value.output);
   }
@@ -207,9 +215,7 @@ struct Meta<msg::CalibAcc> {
       .effects = Effects(Effect::stores),
       .preparation = "Place the camera so that the sensor is exactly level, on something that does not move, and turn the motors off. To calibrate the other directions as well, repeat it with each side of the sensor upwards; CMD_CALIB_INFO shows which ones are done."};
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T&, Visitor&&) {
+  static constexpr void visit(auto&, auto&&) {
   }
 };
 
@@ -226,26 +232,27 @@ struct Meta<msg::CalibAccExt> {
       .effects = Effects(Effect::stores) | Effect::restarts | Effect::erases,
       .preparation = "Place the camera so that the sensor is exactly level, on something that does not move, and turn the motors off. To calibrate the other directions as well, repeat it with each side of the sensor upwards; CMD_CALIB_INFO shows which ones are done. For TEMPERATURE, cool the sensor down first; it is calibrated while it warms up by itself."};
   static constexpr FieldInfo fields[] = {
-      {.name = "imu_idx",
-       .spec_name = "IMU_IDX",
+      {.name = "imu_idx", .spec_name = "IMU_IDX",
        .summary = "The IMU."},
-      {.name = "action",
-       .spec_name = "ACTION",
+      {.name = "action", .spec_name = "ACTION",
        .summary = "Operation."},
-      {.name = "time_ms",
-       .spec_name = "TIME_MS",
+      {.name = "time_ms", .spec_name = "TIME_MS",
        .summary = "Without meaning here; the duration of the calibration of a gyroscope.",
        .unit = &UnitMeta<msg::Milliseconds>::info,
        .since = {.firmware = 2600}},
-      {.name = "reserved",
-       .spec_name = "RESERVED",
+      {.name = "reserved", .spec_name = "RESERVED",
        .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, imu_idx), &detail::value_type<decltype(T::imu_idx)>},
+      {offsetof(T, action), &detail::value_type<decltype(T::action)>},
+      {offsetof(T, time_ms), &detail::value_type<decltype(T::time_ms)>},
+      {offsetof(T, reserved), &detail::value_type<decltype(T::reserved)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.imu_idx);
     visitor(fields[1], value.action);
     visitor(fields[2], value.time_ms);
@@ -266,9 +273,7 @@ struct Meta<msg::CalibGyro> {
       .effects = Effects(Effect::stores),
       .preparation = "Leave the camera completely still, in any position, and turn the motors off; do not touch it until the end."};
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T&, Visitor&&) {
+  static constexpr void visit(auto&, auto&&) {
   }
 };
 
@@ -288,27 +293,28 @@ struct Meta<msg::CalibGyroExt> {
       {0, "about 4 s"},
   };
   static constexpr FieldInfo fields[] = {
-      {.name = "imu_idx",
-       .spec_name = "IMU_IDX",
+      {.name = "imu_idx", .spec_name = "IMU_IDX",
        .summary = "The IMU."},
-      {.name = "action",
-       .spec_name = "ACTION",
+      {.name = "action", .spec_name = "ACTION",
        .summary = "Operation."},
-      {.name = "time_ms",
-       .spec_name = "TIME_MS",
+      {.name = "time_ms", .spec_name = "TIME_MS",
        .summary = "Duration of the calibration of a gyroscope.",
        .unit = &UnitMeta<msg::Milliseconds>::info,
        .special = time_ms_special,
        .since = {.firmware = 2600}},
-      {.name = "reserved",
-       .spec_name = "RESERVED",
+      {.name = "reserved", .spec_name = "RESERVED",
        .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, imu_idx), &detail::value_type<decltype(T::imu_idx)>},
+      {offsetof(T, action), &detail::value_type<decltype(T::action)>},
+      {offsetof(T, time_ms), &detail::value_type<decltype(T::time_ms)>},
+      {offsetof(T, reserved), &detail::value_type<decltype(T::reserved)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.imu_idx);
     visitor(fields[1], value.action);
     visitor(fields[2], value.time_ms);
@@ -330,9 +336,7 @@ struct Meta<msg::CalibMag> {
       .effects = Effects(Effect::stores),
       .preparation = "Take the gimbal away from steel and from other motors, and turn the motors off. While the calibration runs, turn the sensor slowly about all its axes, until every side has pointed in every direction."};
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T&, Visitor&&) {
+  static constexpr void visit(auto&, auto&&) {
   }
 };
 
@@ -350,25 +354,26 @@ struct Meta<msg::CalibMagExt> {
       .effects = Effects(Effect::stores) | Effect::restarts | Effect::erases,
       .preparation = "Take the gimbal away from steel and from other motors, and turn the motors off. While the calibration runs, turn the sensor slowly about all its axes, until every side has pointed in every direction."};
   static constexpr FieldInfo fields[] = {
-      {.name = "imu_idx",
-       .spec_name = "IMU_IDX",
+      {.name = "imu_idx", .spec_name = "IMU_IDX",
        .summary = "The IMU."},
-      {.name = "action",
-       .spec_name = "ACTION",
+      {.name = "action", .spec_name = "ACTION",
        .summary = "Operation."},
-      {.name = "time_ms",
-       .spec_name = "TIME_MS",
+      {.name = "time_ms", .spec_name = "TIME_MS",
        .summary = "Without meaning here; the duration of the calibration of a gyroscope.",
        .unit = &UnitMeta<msg::Milliseconds>::info},
-      {.name = "reserved",
-       .spec_name = "RESERVED",
+      {.name = "reserved", .spec_name = "RESERVED",
        .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, imu_idx), &detail::value_type<decltype(T::imu_idx)>},
+      {offsetof(T, action), &detail::value_type<decltype(T::action)>},
+      {offsetof(T, time_ms), &detail::value_type<decltype(T::time_ms)>},
+      {offsetof(T, reserved), &detail::value_type<decltype(T::reserved)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.imu_idx);
     visitor(fields[1], value.action);
     visitor(fields[2], value.time_ms);
@@ -389,9 +394,7 @@ struct Meta<msg::CalibExtGain> {
       .effects = Effects(Effect::stores) | Effect::moves,
       .preparation = "Connect the flight controller and level the camera. While the calibration runs, tilt the frame smoothly by 20 to 40 degrees to both sides, in roll and in pitch."};
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T&, Visitor&&) {
+  static constexpr void visit(auto&, auto&&) {
   }
 };
 
@@ -408,9 +411,7 @@ struct Meta<msg::CalibPoles> {
       .effects = Effects(Effect::stores) | Effect::moves,
       .preparation = "Balance the camera, fasten the frame, and make sure that all axes turn freely: the motors turn the camera. Their power must be set high enough to hold it."};
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T&, Visitor&&) {
+  static constexpr void visit(auto&, auto&&) {
   }
 };
 
@@ -427,9 +428,7 @@ struct Meta<msg::CalibOffset> {
       .effects = Effects(Effect::stores) | Effect::moves,
       .preparation = "Level the frame, and turn the camera to the position, relative to the frame, that it should have in follow mode."};
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T&, Visitor&&) {
+  static constexpr void visit(auto&, auto&&) {
   }
 };
 
@@ -446,15 +445,16 @@ struct Meta<msg::CalibBat> {
       .effects = Effects(Effect::stores),
       .preparation = "Measure the voltage of the battery with a voltmeter, at the connector of the board, while the board is on."};
   static constexpr FieldInfo fields[] = {
-      {.name = "actual_voltage",
-       .spec_name = "ACTUAL_VOLTAGE",
+      {.name = "actual_voltage", .spec_name = "ACTUAL_VOLTAGE",
        .summary = "Actual voltage, measured externally.",
        .unit = &UnitMeta<msg::Voltage>::info},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, actual_voltage), &detail::value_type<decltype(T::actual_voltage)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.actual_voltage);
   }
 };
@@ -482,80 +482,81 @@ struct Meta<msg::CalibInfo> {
   static constexpr Range temp_calib_acc_t_max_cels_range{-127, 127};
   static constexpr Range h1_err_length_range{0, 255};
   static constexpr FieldInfo fields[] = {
-      {.name = "progress",
-       .spec_name = "PROGRESS",
+      {.name = "progress", .spec_name = "PROGRESS",
        .summary = "Progress of the calibration.",
        .unit = &UnitMeta<msg::Percent>::info,
        .range = &progress_range},
-      {.name = "imu_type",
-       .spec_name = "IMU_TYPE",
+      {.name = "imu_type", .spec_name = "IMU_TYPE",
        .summary = "The IMU."},
-      {.name = "acc_data",
-       .spec_name = "ACC_DATA",
+      {.name = "acc_data", .spec_name = "ACC_DATA",
        .summary = "Accelerometer, as in CMD_REALTIME_DATA_3.",
        .unit = &UnitMeta<msg::Acceleration>::info,
        .directed = Directed::by_axis},
-      {.name = "gyro_abs_val",
-       .spec_name = "GYRO_ABS_VAL",
+      {.name = "gyro_abs_val", .spec_name = "GYRO_ABS_VAL",
        .summary = "Magnitude of the gyroscope signal."},
-      {.name = "acc_cur_axis",
-       .spec_name = "ACC_CUR_AXIS",
+      {.name = "acc_cur_axis", .spec_name = "ACC_CUR_AXIS",
        .summary = "Accelerometer axis to calibrate next.",
        .range = &acc_cur_axis_range},
-      {.name = "acc_limits_info",
-       .spec_name = "ACC_LIMITS_INFO",
+      {.name = "acc_limits_info", .spec_name = "ACC_LIMITS_INFO",
        .summary = "Calibrated directions of the accelerometer."},
-      {.name = "imu_temp_cels",
-       .spec_name = "IMU_TEMP_CELS",
+      {.name = "imu_temp_cels", .spec_name = "IMU_TEMP_CELS",
        .summary = "Temperature of the IMU.",
        .unit = &UnitMeta<msg::Temperature>::info,
        .range = &imu_temp_cels_range},
-      {.name = "temp_calib_gyro_enabled",
-       .spec_name = "TEMP_CALIB_GYRO_ENABLED",
+      {.name = "temp_calib_gyro_enabled", .spec_name = "TEMP_CALIB_GYRO_ENABLED",
        .summary = "1 if the gyroscope's calibration over temperature is enabled.",
        .range = &temp_calib_gyro_enabled_range},
-      {.name = "temp_calib_gyro_t_min_cels",
-       .spec_name = "TEMP_CALIB_GYRO_T_MIN_CELS",
+      {.name = "temp_calib_gyro_t_min_cels", .spec_name = "TEMP_CALIB_GYRO_T_MIN_CELS",
        .summary = "Lowest temperature of the gyroscope's calibration.",
        .unit = &UnitMeta<msg::Temperature>::info,
        .range = &temp_calib_gyro_t_min_cels_range},
-      {.name = "temp_calib_gyro_t_max_cels",
-       .spec_name = "TEMP_CALIB_GYRO_T_MAX_CELS",
+      {.name = "temp_calib_gyro_t_max_cels", .spec_name = "TEMP_CALIB_GYRO_T_MAX_CELS",
        .summary = "Highest temperature of the gyroscope's calibration.",
        .unit = &UnitMeta<msg::Temperature>::info,
        .range = &temp_calib_gyro_t_max_cels_range},
-      {.name = "temp_calib_acc_enabled",
-       .spec_name = "TEMP_CALIB_ACC_ENABLED",
+      {.name = "temp_calib_acc_enabled", .spec_name = "TEMP_CALIB_ACC_ENABLED",
        .summary = "1 if the accelerometer's calibration over temperature is enabled.",
        .range = &temp_calib_acc_enabled_range},
-      {.name = "temp_calib_acc_slot_num",
-       .spec_name = "TEMP_CALIB_ACC_SLOT_NUM",
+      {.name = "temp_calib_acc_slot_num", .spec_name = "TEMP_CALIB_ACC_SLOT_NUM",
        .summary = "Number of calibrated temperatures of the accelerometer in the directions +X, +Y, +Z, -X, -Y, -Z.",
        .range = &temp_calib_acc_slot_num_range},
-      {.name = "temp_calib_acc_t_min_cels",
-       .spec_name = "TEMP_CALIB_ACC_T_MIN_CELS",
+      {.name = "temp_calib_acc_t_min_cels", .spec_name = "TEMP_CALIB_ACC_T_MIN_CELS",
        .summary = "Lowest temperature of the accelerometer's calibration.",
        .unit = &UnitMeta<msg::Temperature>::info,
        .range = &temp_calib_acc_t_min_cels_range},
-      {.name = "temp_calib_acc_t_max_cels",
-       .spec_name = "TEMP_CALIB_ACC_T_MAX_CELS",
+      {.name = "temp_calib_acc_t_max_cels", .spec_name = "TEMP_CALIB_ACC_T_MAX_CELS",
        .summary = "Highest temperature of the accelerometer's calibration.",
        .unit = &UnitMeta<msg::Temperature>::info,
        .range = &temp_calib_acc_t_max_cels_range},
-      {.name = "h1_err_length",
-       .spec_name = "H1_ERR_LENGTH",
+      {.name = "h1_err_length", .spec_name = "H1_ERR_LENGTH",
        .summary = "Length of the difference between the estimated and the reference heading vector, both of length 1.",
        .unit = &UnitMeta<msg::Hundredths>::info,
        .range = &h1_err_length_range},
-      {.name = "reserved",
-       .spec_name = "RESERVED",
+      {.name = "reserved", .spec_name = "RESERVED",
        .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, progress), &detail::value_type<decltype(T::progress)>},
+      {offsetof(T, imu_type), &detail::value_type<decltype(T::imu_type)>},
+      {offsetof(T, acc_data), &detail::value_type<decltype(T::acc_data)>},
+      {offsetof(T, gyro_abs_val), &detail::value_type<decltype(T::gyro_abs_val)>},
+      {offsetof(T, acc_cur_axis), &detail::value_type<decltype(T::acc_cur_axis)>},
+      {offsetof(T, acc_limits_info), &detail::value_type<decltype(T::acc_limits_info)>},
+      {offsetof(T, imu_temp_cels), &detail::value_type<decltype(T::imu_temp_cels)>},
+      {offsetof(T, temp_calib_gyro_enabled), &detail::value_type<decltype(T::temp_calib_gyro_enabled)>},
+      {offsetof(T, temp_calib_gyro_t_min_cels), &detail::value_type<decltype(T::temp_calib_gyro_t_min_cels)>},
+      {offsetof(T, temp_calib_gyro_t_max_cels), &detail::value_type<decltype(T::temp_calib_gyro_t_max_cels)>},
+      {offsetof(T, temp_calib_acc_enabled), &detail::value_type<decltype(T::temp_calib_acc_enabled)>},
+      {offsetof(T, temp_calib_acc_slot_num), &detail::value_type<decltype(T::temp_calib_acc_slot_num)>},
+      {offsetof(T, temp_calib_acc_t_min_cels), &detail::value_type<decltype(T::temp_calib_acc_t_min_cels)>},
+      {offsetof(T, temp_calib_acc_t_max_cels), &detail::value_type<decltype(T::temp_calib_acc_t_max_cels)>},
+      {offsetof(T, h1_err_length), &detail::value_type<decltype(T::h1_err_length)>},
+      {offsetof(T, reserved), &detail::value_type<decltype(T::reserved)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.progress);
     visitor(fields[1], value.imu_type);
     visitor(fields[2], value.acc_data);
@@ -591,18 +592,19 @@ struct Meta<msg::CalibInfoRequest> {
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr FieldInfo fields[] = {
-      {.name = "imu_type",
-       .spec_name = "IMU_TYPE",
+      {.name = "imu_type", .spec_name = "IMU_TYPE",
        .summary = "The IMU."},
-      {.name = "reserved",
-       .spec_name = "RESERVED",
+      {.name = "reserved", .spec_name = "RESERVED",
        .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, imu_type), &detail::value_type<decltype(T::imu_type)>},
+      {offsetof(T, reserved), &detail::value_type<decltype(T::reserved)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.imu_type);
     visitor(fields[1], value.reserved);
   }
@@ -620,14 +622,15 @@ struct Meta<msg::CalibMotorMagLink> {
       .max_size = 255,
       .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
-      {.name = "data",
-       .spec_name = "DATA",
+      {.name = "data", .spec_name = "DATA",
        .summary = "Undocumented content."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, data), &detail::value_type<decltype(T::data)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.data);
   }
 };
@@ -645,14 +648,15 @@ struct Meta<msg::CalibMotorMagLinkRequest> {
       .since = {.board = 30},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
-      {.name = "data",
-       .spec_name = "DATA",
+      {.name = "data", .spec_name = "DATA",
        .summary = "Undocumented content."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, data), &detail::value_type<decltype(T::data)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.data);
   }
 };
@@ -671,15 +675,16 @@ struct Meta<msg::EncodersCalibOffset4> {
       .effects = Effects(Effect::stores),
       .preparation = "Turn the motors off, and turn the camera by hand to the position in which all motor angles are zero: level, and straight to the frame."};
   static constexpr FieldInfo fields[] = {
-      {.name = "for_motor",
-       .spec_name = "FOR_MOTOR",
+      {.name = "for_motor", .spec_name = "FOR_MOTOR",
        .summary = "Motor whose encoder to calibrate.",
        .since = {.firmware = 2687}},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, for_motor), &detail::value_type<decltype(T::for_motor)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.for_motor);
   }
 };
@@ -698,27 +703,28 @@ struct Meta<msg::EncodersCalibFldOffset4> {
       .effects = Effects(Effect::stores) | Effect::moves,
       .preparation = "Balance the camera, fasten the frame, and make sure that all axes turn freely: the motors turn the camera back and forth."};
   static constexpr FieldInfo fields[] = {
-      {.name = "calib_angle",
-       .spec_name = "CALIB_ANGLE",
+      {.name = "calib_angle", .spec_name = "CALIB_ANGLE",
        .summary = "Angle by which each motor turns; 40 degrees if omitted.",
        .unit = &UnitMeta<msg::Angle14>::info,
        .directed = Directed::unknown,
        .since = {.firmware = 2626}},
-      {.name = "calib_speed",
-       .spec_name = "CALIB_SPEED",
+      {.name = "calib_speed", .spec_name = "CALIB_SPEED",
        .summary = "Speed at which each motor turns.",
        .unit = &UnitMeta<msg::GyroRate>::info,
        .directed = Directed::unknown,
        .since = {.firmware = 2711}},
-      {.name = "calib_flags",
-       .spec_name = "CALIB_FLAGS",
+      {.name = "calib_flags", .spec_name = "CALIB_FLAGS",
        .summary = "Checks to omit.",
        .since = {.firmware = 2708}},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, calib_angle), &detail::value_type<decltype(T::calib_angle)>},
+      {offsetof(T, calib_speed), &detail::value_type<decltype(T::calib_speed)>},
+      {offsetof(T, calib_flags), &detail::value_type<decltype(T::calib_flags)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.calib_angle);
     visitor(fields[1], value.calib_speed);
     visitor(fields[2], value.calib_flags);
@@ -737,33 +743,34 @@ struct Meta<msg::AutoPid> {
       .max_size = 57,
       .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
-      {.name = "p",
-       .spec_name = "P",
+      {.name = "p", .spec_name = "P",
        .summary = "Proportional gain of each axis."},
-      {.name = "i",
-       .spec_name = "I",
+      {.name = "i", .spec_name = "I",
        .summary = "Integral gain of each axis, as stored."},
-      {.name = "d",
-       .spec_name = "D",
+      {.name = "d", .spec_name = "D",
        .summary = "Derivative gain of each axis."},
-      {.name = "lpf_freq",
-       .spec_name = "LPF_FREQ",
+      {.name = "lpf_freq", .spec_name = "LPF_FREQ",
        .summary = "Low-pass filter of each axis, as stored."},
-      {.name = "iter_num",
-       .spec_name = "ITER_NUM",
+      {.name = "iter_num", .spec_name = "ITER_NUM",
        .summary = "Number of completed iterations."},
-      {.name = "axes",
-       .spec_name = "axes",
+      {.name = "axes", .spec_name = "axes",
        .summary = "Current result of each axis."},
-      {.name = "reserved",
-       .spec_name = "RESERVED",
+      {.name = "reserved", .spec_name = "RESERVED",
        .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, p), &detail::value_type<decltype(T::p)>},
+      {offsetof(T, i), &detail::value_type<decltype(T::i)>},
+      {offsetof(T, d), &detail::value_type<decltype(T::d)>},
+      {offsetof(T, lpf_freq), &detail::value_type<decltype(T::lpf_freq)>},
+      {offsetof(T, iter_num), &detail::value_type<decltype(T::iter_num)>},
+      {offsetof(T, axes), &detail::value_type<decltype(T::axes)>},
+      {offsetof(T, reserved), &detail::value_type<decltype(T::reserved)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.p);
     visitor(fields[1], value.i);
     visitor(fields[2], value.d);
@@ -801,37 +808,38 @@ struct Meta<msg::AutoPidRequest> {
       {0, "starts the tuning"},
   };
   static constexpr FieldInfo fields[] = {
-      {.name = "profile_id",
-       .spec_name = "PROFILE_ID",
+      {.name = "profile_id", .spec_name = "PROFILE_ID",
        .summary = "Profile to switch to first.",
        .range = &profile_id_range},
-      {.name = "cfg_flags",
-       .spec_name = "CFG_FLAGS",
+      {.name = "cfg_flags", .spec_name = "CFG_FLAGS",
        .summary = "What to tune, and options.",
        .special = cfg_flags_special},
-      {.name = "gain_vs_stability",
-       .spec_name = "GAIN_VS_STABILITY",
+      {.name = "gain_vs_stability", .spec_name = "GAIN_VS_STABILITY",
        .summary = "Preference for high gains at the cost of stability.",
        .range = &gain_vs_stability_range},
-      {.name = "momentum",
-       .spec_name = "MOMENTUM",
+      {.name = "momentum", .spec_name = "MOMENTUM",
        .summary = "Moment of inertia.",
        .special = momentum_special,
        .since = {.firmware = 2600}},
-      {.name = "action",
-       .spec_name = "ACTION",
+      {.name = "action", .spec_name = "ACTION",
        .summary = "Operation; only one is documented.",
        .special = action_special,
        .since = {.firmware = 2600}},
-      {.name = "reserved",
-       .spec_name = "RESERVED",
+      {.name = "reserved", .spec_name = "RESERVED",
        .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, profile_id), &detail::value_type<decltype(T::profile_id)>},
+      {offsetof(T, cfg_flags), &detail::value_type<decltype(T::cfg_flags)>},
+      {offsetof(T, gain_vs_stability), &detail::value_type<decltype(T::gain_vs_stability)>},
+      {offsetof(T, momentum), &detail::value_type<decltype(T::momentum)>},
+      {offsetof(T, action), &detail::value_type<decltype(T::action)>},
+      {offsetof(T, reserved), &detail::value_type<decltype(T::reserved)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.profile_id);
     visitor(fields[1], value.cfg_flags);
     visitor(fields[2], value.gain_vs_stability);
@@ -854,24 +862,25 @@ struct Meta<msg::AutoPid2> {
       .since = {.firmware = 2730},
       .effects = Effects(Effect::stores) | Effect::moves};
   static constexpr FieldInfo fields[] = {
-      {.name = "action",
-       .spec_name = "ACTION",
+      {.name = "action", .spec_name = "ACTION",
        .summary = "Operation."},
-      {.name = "cmd_flags",
-       .spec_name = "CMD_FLAGS",
+      {.name = "cmd_flags", .spec_name = "CMD_FLAGS",
        .summary = "Options of this request."},
-      {.name = "reserved",
-       .spec_name = "RESERVED",
+      {.name = "reserved", .spec_name = "RESERVED",
        .summary = "Reserved; kept as it is.",
        .reserved = true},
-      {.name = "config",
-       .spec_name = "config",
+      {.name = "config", .spec_name = "config",
        .summary = "How to tune."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, action), &detail::value_type<decltype(T::action)>},
+      {offsetof(T, cmd_flags), &detail::value_type<decltype(T::cmd_flags)>},
+      {offsetof(T, reserved), &detail::value_type<decltype(T::reserved)>},
+      {offsetof(T, config), &detail::value_type<decltype(T::config)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.action);
     visitor(fields[1], value.cmd_flags);
     visitor(fields[2], value.reserved);
@@ -893,15 +902,16 @@ struct Meta<msg::CalibOrientCorr> {
       .effects = Effects(Effect::stores) | Effect::moves,
       .preparation = "Balance the camera, fasten the frame, and make sure that all axes turn freely: the motors turn the camera. Calibrate the gyroscope and the accelerometer first."};
   static constexpr FieldInfo fields[] = {
-      {.name = "reserved",
-       .spec_name = "RESERVED",
+      {.name = "reserved", .spec_name = "RESERVED",
        .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, reserved), &detail::value_type<decltype(T::reserved)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.reserved);
   }
 };
@@ -921,28 +931,29 @@ struct Meta<msg::CalibCogging> {
       .preparation = "Balance the camera, fasten the frame, and make sure that the chosen axes turn freely: the motors turn the camera slowly, several times."};
   static constexpr Range iterations_num_range{2, 255};
   static constexpr FieldInfo fields[] = {
-      {.name = "action",
-       .spec_name = "ACTION",
+      {.name = "action", .spec_name = "ACTION",
        .summary = "Operation."},
-      {.name = "axes",
-       .spec_name = "AXES",
+      {.name = "axes", .spec_name = "AXES",
        .summary = "The motors."},
-      {.name = "motors",
-       .spec_name = "motors",
+      {.name = "motors", .spec_name = "motors",
        .summary = "How to calibrate each motor."},
-      {.name = "iterations_num",
-       .spec_name = "ITERATIONS_NUM",
+      {.name = "iterations_num", .spec_name = "ITERATIONS_NUM",
        .summary = "Number of repetitions.",
        .range = &iterations_num_range},
-      {.name = "reserved",
-       .spec_name = "RESERVED",
+      {.name = "reserved", .spec_name = "RESERVED",
        .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, action), &detail::value_type<decltype(T::action)>},
+      {offsetof(T, axes), &detail::value_type<decltype(T::axes)>},
+      {offsetof(T, motors), &detail::value_type<decltype(T::motors)>},
+      {offsetof(T, iterations_num), &detail::value_type<decltype(T::iterations_num)>},
+      {offsetof(T, reserved), &detail::value_type<decltype(T::reserved)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.action);
     visitor(fields[1], value.axes);
     visitor(fields[2], value.motors);
@@ -980,20 +991,21 @@ struct Meta<msg::CalibAccExtRef> {
       .effects = Effects(Effect::stores),
       .preparation = "Leave the camera completely still, and determine the direction of gravity in the coordinates of the sensor with another instrument."};
   static constexpr FieldInfo fields[] = {
-      {.name = "acc_ref",
-       .spec_name = "ACC_REF",
+      {.name = "acc_ref", .spec_name = "ACC_REF",
        .summary = "Actual acceleration.",
        .unit = &UnitMeta<msg::Acceleration>::info,
        .directed = Directed::by_axis},
-      {.name = "reserved",
-       .spec_name = "RESERVED",
+      {.name = "reserved", .spec_name = "RESERVED",
        .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, acc_ref), &detail::value_type<decltype(T::acc_ref)>},
+      {offsetof(T, reserved), &detail::value_type<decltype(T::reserved)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.acc_ref);
     visitor(fields[1], value.reserved);
   }
@@ -1014,25 +1026,26 @@ struct Meta<msg::BodeTestStartStop> {
       {0, "success"},
   };
   static constexpr FieldInfo fields[] = {
-      {.name = "samples_count",
-       .spec_name = "SAMPLES_COUNT",
+      {.name = "samples_count", .spec_name = "SAMPLES_COUNT",
        .summary = "Number of samples; some firmware sends the index of the last one."},
-      {.name = "error_code",
-       .spec_name = "ERROR_CODE",
+      {.name = "error_code", .spec_name = "ERROR_CODE",
        .summary = "Reason of the end.",
        .special = error_code_special},
-      {.name = "mode",
-       .spec_name = "MODE",
+      {.name = "mode", .spec_name = "MODE",
        .summary = "MODE of the request."},
-      {.name = "reserved",
-       .spec_name = "RESERVED",
+      {.name = "reserved", .spec_name = "RESERVED",
        .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, samples_count), &detail::value_type<decltype(T::samples_count)>},
+      {offsetof(T, error_code), &detail::value_type<decltype(T::error_code)>},
+      {offsetof(T, mode), &detail::value_type<decltype(T::mode)>},
+      {offsetof(T, reserved), &detail::value_type<decltype(T::reserved)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.samples_count);
     visitor(fields[1], value.error_code);
     visitor(fields[2], value.mode);
@@ -1058,43 +1071,44 @@ struct Meta<msg::BodeTestStartStopRequest> {
   static constexpr Range stimulus_gain_range{1, 65535};
   static constexpr Range mode_range{0, 0};
   static constexpr FieldInfo fields[] = {
-      {.name = "axis",
-       .spec_name = "AXIS",
+      {.name = "axis", .spec_name = "AXIS",
        .summary = "The axis."},
-      {.name = "stimulus_type",
-       .spec_name = "STIMULUS_TYPE",
+      {.name = "stimulus_type", .spec_name = "STIMULUS_TYPE",
        .summary = "Kind of stimulus."},
-      {.name = "stimulus_gain",
-       .spec_name = "STIMULUS_GAIN",
+      {.name = "stimulus_gain", .spec_name = "STIMULUS_GAIN",
        .summary = "Strength of the stimulus.",
        .range = &stimulus_gain_range},
-      {.name = "end_freq",
-       .spec_name = "END_FREQ",
+      {.name = "end_freq", .spec_name = "END_FREQ",
        .summary = "Highest frequency.",
        .unit = &UnitMeta<msg::Frequency>::info},
-      {.name = "system",
-       .spec_name = "SYSTEM",
+      {.name = "system", .spec_name = "SYSTEM",
        .summary = "What is measured."},
-      {.name = "samples_num",
-       .spec_name = "SAMPLES_NUM",
+      {.name = "samples_num", .spec_name = "SAMPLES_NUM",
        .summary = "Number of samples, each of 0.8 ms."},
-      {.name = "mode",
-       .spec_name = "MODE",
+      {.name = "mode", .spec_name = "MODE",
        .summary = "Reserved.",
        .range = &mode_range},
-      {.name = "start_freq",
-       .spec_name = "START_FREQ",
+      {.name = "start_freq", .spec_name = "START_FREQ",
        .summary = "Lowest frequency.",
        .unit = &UnitMeta<msg::Frequency>::info},
-      {.name = "reserved",
-       .spec_name = "RESERVED",
+      {.name = "reserved", .spec_name = "RESERVED",
        .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, axis), &detail::value_type<decltype(T::axis)>},
+      {offsetof(T, stimulus_type), &detail::value_type<decltype(T::stimulus_type)>},
+      {offsetof(T, stimulus_gain), &detail::value_type<decltype(T::stimulus_gain)>},
+      {offsetof(T, end_freq), &detail::value_type<decltype(T::end_freq)>},
+      {offsetof(T, system), &detail::value_type<decltype(T::system)>},
+      {offsetof(T, samples_num), &detail::value_type<decltype(T::samples_num)>},
+      {offsetof(T, mode), &detail::value_type<decltype(T::mode)>},
+      {offsetof(T, start_freq), &detail::value_type<decltype(T::start_freq)>},
+      {offsetof(T, reserved), &detail::value_type<decltype(T::reserved)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.axis);
     visitor(fields[1], value.stimulus_type);
     visitor(fields[2], value.stimulus_gain);
@@ -1124,30 +1138,31 @@ struct Meta<msg::BodeTestData> {
       .max_size = 97,
       .since = {.firmware = 2500, .board = 30, .features = 0x08}};
   static constexpr FieldInfo fields[] = {
-      {.name = "sample_counter",
-       .spec_name = "SAMPLE_COUNTER",
+      {.name = "sample_counter", .spec_name = "SAMPLE_COUNTER",
        .summary = "Index of the first sample, modulo 256; the next message begins where this one ends, unless samples are lost."},
-      {.name = "input_min",
-       .spec_name = "INPUT_MIN",
+      {.name = "input_min", .spec_name = "INPUT_MIN",
        .summary = "Input of raw value 0."},
-      {.name = "output_min",
-       .spec_name = "OUTPUT_MIN",
+      {.name = "output_min", .spec_name = "OUTPUT_MIN",
        .summary = "Output of raw value 0."},
-      {.name = "input_max",
-       .spec_name = "INPUT_MAX",
+      {.name = "input_max", .spec_name = "INPUT_MAX",
        .summary = "Input of raw value 65534."},
-      {.name = "output_max",
-       .spec_name = "OUTPUT_MAX",
+      {.name = "output_max", .spec_name = "OUTPUT_MAX",
        .summary = "Output of raw value 65534."},
-      {.name = "samples",
-       .spec_name = "samples",
+      {.name = "samples", .spec_name = "samples",
        .summary = "The samples.",
        .max_count = 20},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, sample_counter), &detail::value_type<decltype(T::sample_counter)>},
+      {offsetof(T, input_min), &detail::value_type<decltype(T::input_min)>},
+      {offsetof(T, output_min), &detail::value_type<decltype(T::output_min)>},
+      {offsetof(T, input_max), &detail::value_type<decltype(T::input_max)>},
+      {offsetof(T, output_max), &detail::value_type<decltype(T::output_max)>},
+      {offsetof(T, samples), &detail::value_type<decltype(T::samples)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.sample_counter);
     visitor(fields[1], value.input_min);
     visitor(fields[2], value.output_min);
@@ -1169,14 +1184,15 @@ struct Meta<msg::CoggingCalibInfo> {
       .max_size = 255,
       .since = {.firmware = 2600}};
   static constexpr FieldInfo fields[] = {
-      {.name = "data",
-       .spec_name = "DATA",
+      {.name = "data", .spec_name = "DATA",
        .summary = "Undocumented content."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, data), &detail::value_type<decltype(T::data)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.data);
   }
 };
@@ -1194,14 +1210,15 @@ struct Meta<msg::CoggingCalibInfoRequest> {
       .since = {.firmware = 2600},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
-      {.name = "data",
-       .spec_name = "DATA",
+      {.name = "data", .spec_name = "DATA",
        .summary = "Undocumented content."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, data), &detail::value_type<decltype(T::data)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.data);
   }
 };
@@ -1218,14 +1235,15 @@ struct Meta<msg::CanDrvHardParams> {
       .max_size = 255,
       .since = {.firmware = 2600}};
   static constexpr FieldInfo fields[] = {
-      {.name = "data",
-       .spec_name = "DATA",
+      {.name = "data", .spec_name = "DATA",
        .summary = "Undocumented content."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, data), &detail::value_type<decltype(T::data)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.data);
   }
 };
@@ -1243,14 +1261,15 @@ struct Meta<msg::CanDrvHardParamsRequest> {
       .since = {.firmware = 2600},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
-      {.name = "data",
-       .spec_name = "DATA",
+      {.name = "data", .spec_name = "DATA",
        .summary = "Undocumented content."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, data), &detail::value_type<decltype(T::data)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.data);
   }
 };
@@ -1267,14 +1286,15 @@ struct Meta<msg::CanDrvCalibrate> {
       .max_size = 255,
       .since = {.firmware = 2600}};
   static constexpr FieldInfo fields[] = {
-      {.name = "data",
-       .spec_name = "DATA",
+      {.name = "data", .spec_name = "DATA",
        .summary = "Undocumented content."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, data), &detail::value_type<decltype(T::data)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.data);
   }
 };
@@ -1292,14 +1312,15 @@ struct Meta<msg::CanDrvCalibrateRequest> {
       .since = {.firmware = 2600},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
-      {.name = "data",
-       .spec_name = "DATA",
+      {.name = "data", .spec_name = "DATA",
        .summary = "Undocumented content."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, data), &detail::value_type<decltype(T::data)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.data);
   }
 };
@@ -1316,14 +1337,15 @@ struct Meta<msg::CalibEncoderLut> {
       .max_size = 255,
       .since = {.firmware = 2600}};
   static constexpr FieldInfo fields[] = {
-      {.name = "data",
-       .spec_name = "DATA",
+      {.name = "data", .spec_name = "DATA",
        .summary = "Undocumented content."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, data), &detail::value_type<decltype(T::data)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.data);
   }
 };
@@ -1341,14 +1363,15 @@ struct Meta<msg::CalibEncoderLutRequest> {
       .since = {.firmware = 2600},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
-      {.name = "data",
-       .spec_name = "DATA",
+      {.name = "data", .spec_name = "DATA",
        .summary = "Undocumented content."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, data), &detail::value_type<decltype(T::data)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.data);
   }
 };
@@ -1365,14 +1388,15 @@ struct Meta<msg::CalibEncoderLutRes> {
       .max_size = 255,
       .since = {.firmware = 2600}};
   static constexpr FieldInfo fields[] = {
-      {.name = "data",
-       .spec_name = "DATA",
+      {.name = "data", .spec_name = "DATA",
        .summary = "Undocumented content."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, data), &detail::value_type<decltype(T::data)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.data);
   }
 };
@@ -1390,14 +1414,15 @@ struct Meta<msg::CalibEncoderLutResRequest> {
       .since = {.firmware = 2600},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
-      {.name = "data",
-       .spec_name = "DATA",
+      {.name = "data", .spec_name = "DATA",
        .summary = "Undocumented content."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, data), &detail::value_type<decltype(T::data)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.data);
   }
 };
@@ -1414,14 +1439,15 @@ struct Meta<msg::CalibCurSens> {
       .max_size = 255,
       .since = {.firmware = 2600}};
   static constexpr FieldInfo fields[] = {
-      {.name = "data",
-       .spec_name = "DATA",
+      {.name = "data", .spec_name = "DATA",
        .summary = "Undocumented content."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, data), &detail::value_type<decltype(T::data)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.data);
   }
 };
@@ -1439,14 +1465,15 @@ struct Meta<msg::CalibCurSensRequest> {
       .since = {.firmware = 2600},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
-      {.name = "data",
-       .spec_name = "DATA",
+      {.name = "data", .spec_name = "DATA",
        .summary = "Undocumented content."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, data), &detail::value_type<decltype(T::data)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.data);
   }
 };
@@ -1464,14 +1491,15 @@ struct Meta<msg::EncIntCalib> {
       .since = {.firmware = 2600},
       .unconfirmed = true};
   static constexpr FieldInfo fields[] = {
-      {.name = "data",
-       .spec_name = "DATA",
+      {.name = "data", .spec_name = "DATA",
        .summary = "Undocumented content."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, data), &detail::value_type<decltype(T::data)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.data);
   }
 };
@@ -1490,14 +1518,15 @@ struct Meta<msg::EncIntCalibRequest> {
       .unconfirmed = true,
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
-      {.name = "data",
-       .spec_name = "DATA",
+      {.name = "data", .spec_name = "DATA",
        .summary = "Undocumented content."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, data), &detail::value_type<decltype(T::data)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.data);
   }
 };
@@ -1515,14 +1544,15 @@ struct Meta<msg::VibrationTestStartStop> {
       .since = {.firmware = 2600},
       .unconfirmed = true};
   static constexpr FieldInfo fields[] = {
-      {.name = "data",
-       .spec_name = "DATA",
+      {.name = "data", .spec_name = "DATA",
        .summary = "Undocumented content."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, data), &detail::value_type<decltype(T::data)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.data);
   }
 };
@@ -1541,14 +1571,15 @@ struct Meta<msg::VibrationTestStartStopRequest> {
       .unconfirmed = true,
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
-      {.name = "data",
-       .spec_name = "DATA",
+      {.name = "data", .spec_name = "DATA",
        .summary = "Undocumented content."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, data), &detail::value_type<decltype(T::data)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.data);
   }
 };
@@ -1566,14 +1597,15 @@ struct Meta<msg::VibrationTestData> {
       .since = {.firmware = 2600},
       .unconfirmed = true};
   static constexpr FieldInfo fields[] = {
-      {.name = "data",
-       .spec_name = "DATA",
+      {.name = "data", .spec_name = "DATA",
        .summary = "Undocumented content."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, data), &detail::value_type<decltype(T::data)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.data);
   }
 };
@@ -1592,14 +1624,15 @@ struct Meta<msg::VibrationTestDataRequest> {
       .unconfirmed = true,
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
-      {.name = "data",
-       .spec_name = "DATA",
+      {.name = "data", .spec_name = "DATA",
        .summary = "Undocumented content."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, data), &detail::value_type<decltype(T::data)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.data);
   }
 };

@@ -3,6 +3,9 @@
 /// Run-time metadata of the messages in <sbgc/messages/imu.hpp>.
 #pragma once
 
+#include <cstddef>
+
+#include <sbgc/detail/table.hpp>
 #include <sbgc/messages/imu.hpp>
 #include <sbgc/meta.hpp>
 #include <sbgc/meta/enums.hpp>
@@ -13,54 +16,55 @@ namespace sbgc {
 template <>
 struct Meta<msg::AhrsDebugInfo> {
   static constexpr FieldInfo fields[] = {
-      {.name = "main_imu_ref_src",
-       .spec_name = "MAIN_IMU_REF_SRC",
+      {.name = "main_imu_ref_src", .spec_name = "MAIN_IMU_REF_SRC",
        .summary = "What corrects the attitude of the main IMU."},
-      {.name = "frame_imu_ref_src",
-       .spec_name = "FRAME_IMU_REF_SRC",
+      {.name = "frame_imu_ref_src", .spec_name = "FRAME_IMU_REF_SRC",
        .summary = "What corrects the attitude of the frame IMU."},
-      {.name = "main_z_err",
-       .spec_name = "MAIN_Z_ERR",
+      {.name = "main_z_err", .spec_name = "MAIN_Z_ERR",
        .summary = "Error of the main IMU's gravity vector.",
        .unit = &UnitMeta<msg::AngleError>::info},
-      {.name = "main_h_err",
-       .spec_name = "MAIN_H_ERR",
+      {.name = "main_h_err", .spec_name = "MAIN_H_ERR",
        .summary = "Error of the main IMU's heading vector.",
        .unit = &UnitMeta<msg::AngleError>::info},
-      {.name = "frame_z_err",
-       .spec_name = "FRAME_Z_ERR",
+      {.name = "frame_z_err", .spec_name = "FRAME_Z_ERR",
        .summary = "Error of the frame IMU's gravity vector.",
        .unit = &UnitMeta<msg::AngleError>::info},
-      {.name = "frame_h_err",
-       .spec_name = "FRAME_H_ERR",
+      {.name = "frame_h_err", .spec_name = "FRAME_H_ERR",
        .summary = "Error of the frame IMU's heading vector.",
        .unit = &UnitMeta<msg::AngleError>::info},
-      {.name = "ext_imu_status",
-       .spec_name = "EXT_IMU_STATUS",
+      {.name = "ext_imu_status", .spec_name = "EXT_IMU_STATUS",
        .summary = "State of the external IMU."},
-      {.name = "ext_imu_packets",
-       .spec_name = "EXT_IMU_PACKETS",
+      {.name = "ext_imu_packets", .spec_name = "EXT_IMU_PACKETS",
        .summary = "Number of packets from the external IMU."},
-      {.name = "ext_imu_parse_err",
-       .spec_name = "EXT_IMU_PARSE_ERR",
+      {.name = "ext_imu_parse_err", .spec_name = "EXT_IMU_PARSE_ERR",
        .summary = "Number of damaged packets from the external IMU."},
-      {.name = "ext_corr_h_err",
-       .spec_name = "EXT_CORR_H_ERR",
+      {.name = "ext_corr_h_err", .spec_name = "EXT_CORR_H_ERR",
        .summary = "Error of the external heading correction.",
        .unit = &UnitMeta<msg::AngleError>::info},
-      {.name = "ext_corr_z_err",
-       .spec_name = "EXT_CORR_Z_ERR",
+      {.name = "ext_corr_z_err", .spec_name = "EXT_CORR_Z_ERR",
        .summary = "Error of the external gravity correction.",
        .unit = &UnitMeta<msg::AngleError>::info},
-      {.name = "reserved",
-       .spec_name = "RESERVED",
+      {.name = "reserved", .spec_name = "RESERVED",
        .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, main_imu_ref_src), &detail::value_type<decltype(T::main_imu_ref_src)>},
+      {offsetof(T, frame_imu_ref_src), &detail::value_type<decltype(T::frame_imu_ref_src)>},
+      {offsetof(T, main_z_err), &detail::value_type<decltype(T::main_z_err)>},
+      {offsetof(T, main_h_err), &detail::value_type<decltype(T::main_h_err)>},
+      {offsetof(T, frame_z_err), &detail::value_type<decltype(T::frame_z_err)>},
+      {offsetof(T, frame_h_err), &detail::value_type<decltype(T::frame_h_err)>},
+      {offsetof(T, ext_imu_status), &detail::value_type<decltype(T::ext_imu_status)>},
+      {offsetof(T, ext_imu_packets), &detail::value_type<decltype(T::ext_imu_packets)>},
+      {offsetof(T, ext_imu_parse_err), &detail::value_type<decltype(T::ext_imu_parse_err)>},
+      {offsetof(T, ext_corr_h_err), &detail::value_type<decltype(T::ext_corr_h_err)>},
+      {offsetof(T, ext_corr_z_err), &detail::value_type<decltype(T::ext_corr_z_err)>},
+      {offsetof(T, reserved), &detail::value_type<decltype(T::reserved)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.main_imu_ref_src);
     visitor(fields[1], value.frame_imu_ref_src);
     visitor(fields[2], value.main_z_err);
@@ -89,14 +93,15 @@ struct Meta<msg::SelectImu3> {
       .since = {.board = 30},
       .effects = Effects(Effect::sets)};
   static constexpr FieldInfo fields[] = {
-      {.name = "imu_type",
-       .spec_name = "IMU_TYPE",
+      {.name = "imu_type", .spec_name = "IMU_TYPE",
        .summary = "The IMU."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, imu_type), &detail::value_type<decltype(T::imu_type)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.imu_type);
   }
 };
@@ -115,21 +120,22 @@ struct Meta<msg::SelectImu3Ext> {
       .unconfirmed = true,
       .effects = Effects(Effect::sets)};
   static constexpr FieldInfo fields[] = {
-      {.name = "imu_type",
-       .spec_name = "IMU_TYPE",
+      {.name = "imu_type", .spec_name = "IMU_TYPE",
        .summary = "The IMU."},
-      {.name = "param",
-       .spec_name = "PARAM",
+      {.name = "param", .spec_name = "PARAM",
        .summary = "Undocumented."},
-      {.name = "params",
-       .spec_name = "PARAMS",
+      {.name = "params", .spec_name = "PARAMS",
        .summary = "Further undocumented parameters.",
        .max_count = 8},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, imu_type), &detail::value_type<decltype(T::imu_type)>},
+      {offsetof(T, param), &detail::value_type<decltype(T::param)>},
+      {offsetof(T, params), &detail::value_type<decltype(T::params)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.imu_type);
     visitor(fields[1], value.param);
     visitor(fields[2], value.params);
@@ -150,25 +156,26 @@ struct Meta<msg::SelectImu3CalibrateShort> {
       .unconfirmed = true,
       .effects = Effects(Effect::stores) | Effect::restarts | Effect::erases};
   static constexpr FieldInfo fields[] = {
-      {.name = "imu_type",
-       .spec_name = "IMU_TYPE",
+      {.name = "imu_type", .spec_name = "IMU_TYPE",
        .summary = "The IMU."},
-      {.name = "action",
-       .spec_name = "ACTION",
+      {.name = "action", .spec_name = "ACTION",
        .summary = "Operation."},
-      {.name = "time_ms",
-       .spec_name = "TIME_MS",
+      {.name = "time_ms", .spec_name = "TIME_MS",
        .summary = "Duration of the operation.",
        .unit = &UnitMeta<msg::Milliseconds>::info},
-      {.name = "reserved",
-       .spec_name = "RESERVED",
+      {.name = "reserved", .spec_name = "RESERVED",
        .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, imu_type), &detail::value_type<decltype(T::imu_type)>},
+      {offsetof(T, action), &detail::value_type<decltype(T::action)>},
+      {offsetof(T, time_ms), &detail::value_type<decltype(T::time_ms)>},
+      {offsetof(T, reserved), &detail::value_type<decltype(T::reserved)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.imu_type);
     visitor(fields[1], value.action);
     visitor(fields[2], value.time_ms);
@@ -189,25 +196,26 @@ struct Meta<msg::SelectImu3Calibrate> {
       .since = {.firmware = 2600},
       .effects = Effects(Effect::stores) | Effect::restarts | Effect::erases};
   static constexpr FieldInfo fields[] = {
-      {.name = "imu_type",
-       .spec_name = "IMU_TYPE",
+      {.name = "imu_type", .spec_name = "IMU_TYPE",
        .summary = "The IMU."},
-      {.name = "action",
-       .spec_name = "ACTION",
+      {.name = "action", .spec_name = "ACTION",
        .summary = "Operation."},
-      {.name = "time_ms",
-       .spec_name = "TIME_MS",
+      {.name = "time_ms", .spec_name = "TIME_MS",
        .summary = "Duration of the operation.",
        .unit = &UnitMeta<msg::Milliseconds>::info},
-      {.name = "reserved",
-       .spec_name = "RESERVED",
+      {.name = "reserved", .spec_name = "RESERVED",
        .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, imu_type), &detail::value_type<decltype(T::imu_type)>},
+      {offsetof(T, action), &detail::value_type<decltype(T::action)>},
+      {offsetof(T, time_ms), &detail::value_type<decltype(T::time_ms)>},
+      {offsetof(T, reserved), &detail::value_type<decltype(T::reserved)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.imu_type);
     visitor(fields[1], value.action);
     visitor(fields[2], value.time_ms);
@@ -229,20 +237,21 @@ struct Meta<msg::AhrsHelper> {
   static constexpr Range z1_vector_range{-1, 1};
   static constexpr Range h1_vector_range{-1, 1};
   static constexpr FieldInfo fields[] = {
-      {.name = "z1_vector",
-       .spec_name = "Z1_VECTOR",
+      {.name = "z1_vector", .spec_name = "Z1_VECTOR",
        .summary = "Unit vector that points up (the Z axis in the normal position); down according to later sources.",
        .range = &z1_vector_range,
        .unconfirmed = true},
-      {.name = "h1_vector",
-       .spec_name = "H1_VECTOR",
+      {.name = "h1_vector", .spec_name = "H1_VECTOR",
        .summary = "Unit vector that points north (the Y axis in the normal position).",
        .range = &h1_vector_range},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, z1_vector), &detail::value_type<decltype(T::z1_vector)>},
+      {offsetof(T, h1_vector), &detail::value_type<decltype(T::h1_vector)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.z1_vector);
     visitor(fields[1], value.h1_vector);
     visitor(tail_field, value.tail);
@@ -266,14 +275,15 @@ struct Meta<msg::AhrsHelperRequest> {
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr FieldInfo fields[] = {
-      {.name = "mode",
-       .spec_name = "MODE",
+      {.name = "mode", .spec_name = "MODE",
        .summary = "The IMU to query; without SET."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, mode), &detail::value_type<decltype(T::mode)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.mode);
   }
 };
@@ -293,14 +303,15 @@ struct Meta<msg::AhrsHelperRequestWide> {
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr FieldInfo fields[] = {
-      {.name = "mode",
-       .spec_name = "MODE",
+      {.name = "mode", .spec_name = "MODE",
        .summary = "The IMU to query; without SET."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, mode), &detail::value_type<decltype(T::mode)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.mode);
   }
 };
@@ -324,22 +335,23 @@ struct Meta<msg::AhrsHelperRequestExt> {
   static constexpr Range z1_vector_range{-1, 1};
   static constexpr Range h1_vector_range{-1, 1};
   static constexpr FieldInfo fields[] = {
-      {.name = "mode",
-       .spec_name = "MODE",
+      {.name = "mode", .spec_name = "MODE",
        .summary = "Operation."},
-      {.name = "z1_vector",
-       .spec_name = "Z1_VECTOR",
+      {.name = "z1_vector", .spec_name = "Z1_VECTOR",
        .summary = "Unit vector that points up (the Z axis in the normal position), or down according to later sources; unused in a query.",
        .range = &z1_vector_range},
-      {.name = "h1_vector",
-       .spec_name = "H1_VECTOR",
+      {.name = "h1_vector", .spec_name = "H1_VECTOR",
        .summary = "Unit vector that points north (the Y axis in the normal position); unused in a query.",
        .range = &h1_vector_range},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, mode), &detail::value_type<decltype(T::mode)>},
+      {offsetof(T, z1_vector), &detail::value_type<decltype(T::z1_vector)>},
+      {offsetof(T, h1_vector), &detail::value_type<decltype(T::h1_vector)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.mode);
     visitor(fields[1], value.z1_vector);
     visitor(fields[2], value.h1_vector);
@@ -363,22 +375,23 @@ struct Meta<msg::AhrsHelperRequestExtWide> {
   static constexpr Range z1_vector_range{-1, 1};
   static constexpr Range h1_vector_range{-1, 1};
   static constexpr FieldInfo fields[] = {
-      {.name = "mode",
-       .spec_name = "MODE",
+      {.name = "mode", .spec_name = "MODE",
        .summary = "Operation."},
-      {.name = "z1_vector",
-       .spec_name = "Z1_VECTOR",
+      {.name = "z1_vector", .spec_name = "Z1_VECTOR",
        .summary = "Unit vector that points up (the Z axis in the normal position), or down according to later sources; unused in a query.",
        .range = &z1_vector_range},
-      {.name = "h1_vector",
-       .spec_name = "H1_VECTOR",
+      {.name = "h1_vector", .spec_name = "H1_VECTOR",
        .summary = "Unit vector that points north (the Y axis in the normal position); unused in a query.",
        .range = &h1_vector_range},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, mode), &detail::value_type<decltype(T::mode)>},
+      {offsetof(T, z1_vector), &detail::value_type<decltype(T::z1_vector)>},
+      {offsetof(T, h1_vector), &detail::value_type<decltype(T::h1_vector)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.mode);
     visitor(fields[1], value.z1_vector);
     visitor(fields[2], value.h1_vector);
@@ -398,24 +411,25 @@ struct Meta<msg::GyroCorrection> {
       .since = {.board = 30},
       .effects = Effects(Effect::stores) | Effect::moves};
   static constexpr FieldInfo fields[] = {
-      {.name = "imu_type",
-       .spec_name = "IMU_TYPE",
+      {.name = "imu_type", .spec_name = "IMU_TYPE",
        .summary = "The IMU."},
-      {.name = "gyro_zero_corr",
-       .spec_name = "GYRO_ZERO_CORR",
+      {.name = "gyro_zero_corr", .spec_name = "GYRO_ZERO_CORR",
        .summary = "Zero offset of each axis.",
        .unit = &UnitMeta<msg::GyroOffset>::info,
        .directed = Directed::by_axis},
-      {.name = "gyro_zero_heading_corr",
-       .spec_name = "GYRO_ZERO_HEADING_CORR",
+      {.name = "gyro_zero_heading_corr", .spec_name = "GYRO_ZERO_HEADING_CORR",
        .summary = "Offset of the rotation about the vertical, to correct the heading; the board distributes it over the axes.",
        .unit = &UnitMeta<msg::GyroOffset>::info,
        .directed = Directed::by_axis},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, imu_type), &detail::value_type<decltype(T::imu_type)>},
+      {offsetof(T, gyro_zero_corr), &detail::value_type<decltype(T::gyro_zero_corr)>},
+      {offsetof(T, gyro_zero_heading_corr), &detail::value_type<decltype(T::gyro_zero_heading_corr)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.imu_type);
     visitor(fields[1], value.gyro_zero_corr);
     visitor(fields[2], value.gyro_zero_heading_corr);
@@ -434,20 +448,21 @@ struct Meta<msg::ExtImuDebugInfo> {
       .max_size = 74,
       .since = {.firmware = 2660, .features = 0x10000}};
   static constexpr FieldInfo fields[] = {
-      {.name = "ahrs_debug_info",
-       .spec_name = "AHRS_DEBUG_INFO",
+      {.name = "ahrs_debug_info", .spec_name = "AHRS_DEBUG_INFO",
        .summary = "State of the attitude estimation."},
-      {.name = "dcm",
-       .spec_name = "DCM",
+      {.name = "dcm", .spec_name = "DCM",
        .summary = "Attitude as a rotation matrix, row by row."},
-      {.name = "acc_body",
-       .spec_name = "ACC_BODY",
+      {.name = "acc_body", .spec_name = "ACC_BODY",
        .summary = "Acceleration of the sensor."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, ahrs_debug_info), &detail::value_type<decltype(T::ahrs_debug_info)>},
+      {offsetof(T, dcm), &detail::value_type<decltype(T::dcm)>},
+      {offsetof(T, acc_body), &detail::value_type<decltype(T::acc_body)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.ahrs_debug_info);
     visitor(fields[1], value.dcm);
     visitor(fields[2], value.acc_body);
@@ -470,9 +485,7 @@ struct Meta<msg::ExtImuDebugInfoRequest> {
       .answers = answers,
       .effects = Effects(Effect::reads)};
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T&, Visitor&&) {
+  static constexpr void visit(auto&, auto&&) {
   }
 };
 
@@ -489,17 +502,18 @@ struct Meta<msg::ExtImuCmd> {
       .since = {.firmware = 2600, .features = 0x10000},
       .effects = Effects(Effect::sets) | Effect::stores | Effect::moves};
   static constexpr FieldInfo fields[] = {
-      {.name = "cmd_id",
-       .spec_name = "CMD_ID",
+      {.name = "cmd_id", .spec_name = "CMD_ID",
        .summary = "Command of the external IMU."},
-      {.name = "data",
-       .spec_name = "DATA",
+      {.name = "data", .spec_name = "DATA",
        .summary = "Body of the command."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, cmd_id), &detail::value_type<decltype(T::cmd_id)>},
+      {offsetof(T, data), &detail::value_type<decltype(T::data)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.cmd_id);
     visitor(fields[1], value.data);
   }
@@ -518,17 +532,18 @@ struct Meta<msg::ExtSensCmd> {
       .since = {.firmware = 2687, .board = 36, .features = 0x10000},
       .unconfirmed = true};
   static constexpr FieldInfo fields[] = {
-      {.name = "cmd_id",
-       .spec_name = "CMD_ID",
+      {.name = "cmd_id", .spec_name = "CMD_ID",
        .summary = "Command of the sensor."},
-      {.name = "data",
-       .spec_name = "DATA",
+      {.name = "data", .spec_name = "DATA",
        .summary = "Body of the command."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, cmd_id), &detail::value_type<decltype(T::cmd_id)>},
+      {offsetof(T, data), &detail::value_type<decltype(T::data)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.cmd_id);
     visitor(fields[1], value.data);
   }
@@ -547,20 +562,21 @@ struct Meta<msg::ExtSensCmdRequest> {
       .since = {.firmware = 2687, .board = 36, .features = 0x10000},
       .effects = Effects(Effect::sets) | Effect::stores | Effect::moves};
   static constexpr FieldInfo fields[] = {
-      {.name = "flags",
-       .spec_name = "FLAGS",
+      {.name = "flags", .spec_name = "FLAGS",
        .summary = "Options."},
-      {.name = "cmd_id",
-       .spec_name = "CMD_ID",
+      {.name = "cmd_id", .spec_name = "CMD_ID",
        .summary = "Command of the sensor."},
-      {.name = "data",
-       .spec_name = "DATA",
+      {.name = "data", .spec_name = "DATA",
        .summary = "Body of the command."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, flags), &detail::value_type<decltype(T::flags)>},
+      {offsetof(T, cmd_id), &detail::value_type<decltype(T::cmd_id)>},
+      {offsetof(T, data), &detail::value_type<decltype(T::data)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.flags);
     visitor(fields[1], value.cmd_id);
     visitor(fields[2], value.data);
@@ -579,14 +595,15 @@ struct Meta<msg::ImuAdvancedCalib> {
       .max_size = 255,
       .since = {.firmware = 2600}};
   static constexpr FieldInfo fields[] = {
-      {.name = "data",
-       .spec_name = "DATA",
+      {.name = "data", .spec_name = "DATA",
        .summary = "Undocumented content."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, data), &detail::value_type<decltype(T::data)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.data);
   }
 };
@@ -604,14 +621,15 @@ struct Meta<msg::ImuAdvancedCalibRequest> {
       .since = {.firmware = 2600},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
-      {.name = "data",
-       .spec_name = "DATA",
+      {.name = "data", .spec_name = "DATA",
        .summary = "Undocumented content."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, data), &detail::value_type<decltype(T::data)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.data);
   }
 };

@@ -3,6 +3,9 @@
 /// Run-time metadata of the messages in <sbgc/messages/modules.hpp>.
 #pragma once
 
+#include <cstddef>
+
+#include <sbgc/detail/table.hpp>
 #include <sbgc/messages/modules.hpp>
 #include <sbgc/meta.hpp>
 #include <sbgc/meta/enums.hpp>
@@ -13,27 +16,28 @@ namespace sbgc {
 template <>
 struct Meta<msg::ModuleInfo> {
   static constexpr FieldInfo fields[] = {
-      {.name = "id",
-       .spec_name = "ID",
+      {.name = "id", .spec_name = "ID",
        .summary = "The module."},
-      {.name = "board_ver",
-       .spec_name = "BOARD_VER",
+      {.name = "board_ver", .spec_name = "BOARD_VER",
        .summary = "Hardware version."},
-      {.name = "bootloader_ver",
-       .spec_name = "BOOTLOADER_VER",
+      {.name = "bootloader_ver", .spec_name = "BOOTLOADER_VER",
        .summary = "Version of the bootloader."},
-      {.name = "firmware_ver",
-       .spec_name = "FIRMWARE_VER",
+      {.name = "firmware_ver", .spec_name = "FIRMWARE_VER",
        .summary = "Firmware version."},
-      {.name = "reserved",
-       .spec_name = "RESERVED",
+      {.name = "reserved", .spec_name = "RESERVED",
        .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, id), &detail::value_type<decltype(T::id)>},
+      {offsetof(T, board_ver), &detail::value_type<decltype(T::board_ver)>},
+      {offsetof(T, bootloader_ver), &detail::value_type<decltype(T::bootloader_ver)>},
+      {offsetof(T, firmware_ver), &detail::value_type<decltype(T::firmware_ver)>},
+      {offsetof(T, reserved), &detail::value_type<decltype(T::reserved)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.id);
     visitor(fields[1], value.board_ver);
     visitor(fields[2], value.bootloader_ver);
@@ -45,20 +49,21 @@ struct Meta<msg::ModuleInfo> {
 template <>
 struct Meta<msg::CanDevice> {
   static constexpr FieldInfo fields[] = {
-      {.name = "uid",
-       .spec_name = "UID",
+      {.name = "uid", .spec_name = "UID",
        .summary = "Identifies the device."},
-      {.name = "id",
-       .spec_name = "ID",
+      {.name = "id", .spec_name = "ID",
        .summary = "Id assigned to the device."},
-      {.name = "type",
-       .spec_name = "TYPE",
+      {.name = "type", .spec_name = "TYPE",
        .summary = "Kind of the device."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, uid), &detail::value_type<decltype(T::uid)>},
+      {offsetof(T, id), &detail::value_type<decltype(T::id)>},
+      {offsetof(T, type), &detail::value_type<decltype(T::type)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.uid);
     visitor(fields[1], value.id);
     visitor(fields[2], value.type);
@@ -78,18 +83,19 @@ struct Meta<msg::ModuleList> {
       .since = {.firmware = 2600}};
   static constexpr Range device_num_range{0, 17};
   static constexpr FieldInfo fields[] = {
-      {.name = "device_num",
-       .spec_name = "DEVICE_NUM",
+      {.name = "device_num", .spec_name = "DEVICE_NUM",
        .summary = "Number of modules that follow.",
        .range = &device_num_range},
-      {.name = "modules",
-       .spec_name = "modules",
+      {.name = "modules", .spec_name = "modules",
        .summary = "The modules."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, modules), &detail::counter_type<decltype(T::modules)>},
+      {offsetof(T, modules), &detail::value_type<decltype(T::modules)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], Counter{value.modules.size()});
     visitor(fields[1], value.modules);
     visitor(tail_field, value.tail);
@@ -111,9 +117,7 @@ struct Meta<msg::ModuleListRequest> {
       .answers = answers,
       .effects = Effects(Effect::reads)};
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T&, Visitor&&) {
+  static constexpr void visit(auto&, auto&&) {
   }
 };
 
@@ -129,15 +133,16 @@ struct Meta<msg::CanDeviceScan> {
       .max_size = 252,
       .since = {.firmware = 2600, .features = 0x400}};
   static constexpr FieldInfo fields[] = {
-      {.name = "devices",
-       .spec_name = "devices",
+      {.name = "devices", .spec_name = "devices",
        .summary = "The devices.",
        .max_count = 18},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, devices), &detail::value_type<decltype(T::devices)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.devices);
   }
 };
@@ -157,9 +162,7 @@ struct Meta<msg::CanDeviceScanRequest> {
       .answers = answers,
       .effects = Effects(Effect::reads)};
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T&, Visitor&&) {
+  static constexpr void visit(auto&, auto&&) {
   }
 };
 
@@ -175,18 +178,19 @@ struct Meta<msg::TransparentSapi> {
       .max_size = 255,
       .since = {.firmware = 2720, .board = 36}};
   static constexpr FieldInfo fields[] = {
-      {.name = "target",
-       .spec_name = "TARGET",
+      {.name = "target", .spec_name = "TARGET",
        .summary = "Device and port that sent the data.",
        .unconfirmed = true},
-      {.name = "payload",
-       .spec_name = "PAYLOAD",
+      {.name = "payload", .spec_name = "PAYLOAD",
        .summary = "The data."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, target), &detail::value_type<decltype(T::target)>},
+      {offsetof(T, payload), &detail::value_type<decltype(T::payload)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.target);
     visitor(fields[1], value.payload);
   }
@@ -205,18 +209,19 @@ struct Meta<msg::TransparentSapiRequest> {
       .since = {.firmware = 2720, .board = 36},
       .effects = Effects(Effect::sets) | Effect::stores | Effect::moves | Effect::restarts | Effect::erases};
   static constexpr FieldInfo fields[] = {
-      {.name = "target",
-       .spec_name = "TARGET",
+      {.name = "target", .spec_name = "TARGET",
        .summary = "Device and port that receive the data.",
        .unconfirmed = true},
-      {.name = "payload",
-       .spec_name = "PAYLOAD",
+      {.name = "payload", .spec_name = "PAYLOAD",
        .summary = "The data."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, target), &detail::value_type<decltype(T::target)>},
+      {offsetof(T, payload), &detail::value_type<decltype(T::payload)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.target);
     visitor(fields[1], value.payload);
   }
@@ -236,19 +241,20 @@ struct Meta<msg::ModuleFlashStart> {
       .effects = Effects(Effect::restarts) | Effect::erases};
   static constexpr Range firmware_size_range{1, 4294967295};
   static constexpr FieldInfo fields[] = {
-      {.name = "device_id",
-       .spec_name = "DEVICE_ID",
+      {.name = "device_id", .spec_name = "DEVICE_ID",
        .summary = "The module."},
-      {.name = "firmware_size",
-       .spec_name = "FIRMWARE_SIZE",
+      {.name = "firmware_size", .spec_name = "FIRMWARE_SIZE",
        .summary = "Size of the file.",
        .unit = &UnitMeta<msg::WordCount>::info,
        .range = &firmware_size_range},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, device_id), &detail::value_type<decltype(T::device_id)>},
+      {offsetof(T, firmware_size), &detail::value_type<decltype(T::firmware_size)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.device_id);
     visitor(fields[1], value.firmware_size);
   }
@@ -267,30 +273,31 @@ struct Meta<msg::ModuleFlashWrite> {
       .since = {.firmware = 2745},
       .effects = Effects(Effect::stores)};
   static constexpr FieldInfo fields[] = {
-      {.name = "device_id",
-       .spec_name = "DEVICE_ID",
+      {.name = "device_id", .spec_name = "DEVICE_ID",
        .summary = "The module."},
-      {.name = "packet_id",
-       .spec_name = "PACKET_ID",
+      {.name = "packet_id", .spec_name = "PACKET_ID",
        .summary = "Number of the part from 0, modulo 256."},
-      {.name = "address",
-       .spec_name = "ADDRESS",
+      {.name = "address", .spec_name = "ADDRESS",
        .summary = "Offset of the part in the file.",
        .align = 4},
-      {.name = "data_crc32",
-       .spec_name = "DATA_CRC32",
+      {.name = "data_crc32", .spec_name = "DATA_CRC32",
        .summary = "CRC-32/ISO-HDLC of DATA, as in a zip file."},
-      {.name = "data",
-       .spec_name = "DATA",
+      {.name = "data", .spec_name = "DATA",
        .summary = "The part.",
        .min_count = 4,
        .max_count = 128,
        .align = 4},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, device_id), &detail::value_type<decltype(T::device_id)>},
+      {offsetof(T, packet_id), &detail::value_type<decltype(T::packet_id)>},
+      {offsetof(T, address), &detail::value_type<decltype(T::address)>},
+      {offsetof(T, data_crc32), &detail::value_type<decltype(T::data_crc32)>},
+      {offsetof(T, data), &detail::value_type<decltype(T::data)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.device_id);
     visitor(fields[1], value.packet_id);
     visitor(fields[2], value.address);
@@ -312,17 +319,18 @@ struct Meta<msg::ModuleFlashFinish> {
       .since = {.firmware = 2745},
       .effects = Effects(Effect::stores)};
   static constexpr FieldInfo fields[] = {
-      {.name = "device_id",
-       .spec_name = "DEVICE_ID",
+      {.name = "device_id", .spec_name = "DEVICE_ID",
        .summary = "The module."},
-      {.name = "file_crc32",
-       .spec_name = "FILE_CRC32",
+      {.name = "file_crc32", .spec_name = "FILE_CRC32",
        .summary = "CRC-32/ISO-HDLC of the whole file."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, device_id), &detail::value_type<decltype(T::device_id)>},
+      {offsetof(T, file_crc32), &detail::value_type<decltype(T::file_crc32)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.device_id);
     visitor(fields[1], value.file_crc32);
   }
@@ -343,9 +351,7 @@ struct Meta<msg::UdrvDeviceScan> {
       .answers = answers,
       .effects = Effects(Effect::stores)};
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T&, Visitor&&) {
+  static constexpr void visit(auto&, auto&&) {
   }
 };
 
@@ -368,19 +374,20 @@ struct Meta<msg::SetTranspProxy> {
       {0, "the port of this request"},
   };
   static constexpr FieldInfo fields[] = {
-      {.name = "port1",
-       .spec_name = "PORT1",
+      {.name = "port1", .spec_name = "PORT1",
        .summary = "A port; the first is 1.",
        .special = port1_special},
-      {.name = "port2",
-       .spec_name = "PORT2",
+      {.name = "port2", .spec_name = "PORT2",
        .summary = "Another port.",
        .special = port2_special},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, port1), &detail::value_type<decltype(T::port1)>},
+      {offsetof(T, port2), &detail::value_type<decltype(T::port2)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.port1);
     visitor(fields[1], value.port2);
   }
@@ -399,14 +406,15 @@ struct Meta<msg::UartBypass> {
       .since = {.firmware = 2500, .board = 30},
       .unconfirmed = true};
   static constexpr FieldInfo fields[] = {
-      {.name = "data",
-       .spec_name = "DATA",
+      {.name = "data", .spec_name = "DATA",
        .summary = "Undocumented content."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, data), &detail::value_type<decltype(T::data)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.data);
   }
 };
@@ -425,14 +433,15 @@ struct Meta<msg::UartBypassRequest> {
       .unconfirmed = true,
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
-      {.name = "data",
-       .spec_name = "DATA",
+      {.name = "data", .spec_name = "DATA",
        .summary = "Undocumented content."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, data), &detail::value_type<decltype(T::data)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.data);
   }
 };
@@ -449,14 +458,15 @@ struct Meta<msg::SetDeviceAddr> {
       .max_size = 255,
       .since = {.firmware = 2600}};
   static constexpr FieldInfo fields[] = {
-      {.name = "data",
-       .spec_name = "DATA",
+      {.name = "data", .spec_name = "DATA",
        .summary = "Undocumented content."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, data), &detail::value_type<decltype(T::data)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.data);
   }
 };
@@ -474,14 +484,15 @@ struct Meta<msg::SetDeviceAddrRequest> {
       .since = {.firmware = 2600},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
-      {.name = "data",
-       .spec_name = "DATA",
+      {.name = "data", .spec_name = "DATA",
        .summary = "Undocumented content."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, data), &detail::value_type<decltype(T::data)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.data);
   }
 };
@@ -498,14 +509,15 @@ struct Meta<msg::SerialProxy> {
       .max_size = 255,
       .since = {.firmware = 2600}};
   static constexpr FieldInfo fields[] = {
-      {.name = "data",
-       .spec_name = "DATA",
+      {.name = "data", .spec_name = "DATA",
        .summary = "Undocumented content."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, data), &detail::value_type<decltype(T::data)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.data);
   }
 };
@@ -523,14 +535,15 @@ struct Meta<msg::SerialProxyRequest> {
       .since = {.firmware = 2600},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
-      {.name = "data",
-       .spec_name = "DATA",
+      {.name = "data", .spec_name = "DATA",
        .summary = "Undocumented content."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, data), &detail::value_type<decltype(T::data)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.data);
   }
 };

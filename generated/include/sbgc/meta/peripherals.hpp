@@ -3,6 +3,9 @@
 /// Run-time metadata of the messages in <sbgc/messages/peripherals.hpp>.
 #pragma once
 
+#include <cstddef>
+
+#include <sbgc/detail/table.hpp>
 #include <sbgc/messages/peripherals.hpp>
 #include <sbgc/meta.hpp>
 #include <sbgc/meta/enums.hpp>
@@ -35,36 +38,37 @@ struct Meta<msg::BeepSound> {
       {21000, "pause, then the envelope starts again"},
   };
   static constexpr FieldInfo fields[] = {
-      {.name = "mode",
-       .spec_name = "MODE",
+      {.name = "mode", .spec_name = "MODE",
        .summary = "Sound to play."},
-      {.name = "note_length",
-       .spec_name = "NOTE_LENGTH",
+      {.name = "note_length", .spec_name = "NOTE_LENGTH",
        .summary = "Length of each note of a custom melody.",
        .unit = &UnitMeta<msg::NoteLength>::info,
        .range = &note_length_range,
        .special = note_length_special},
-      {.name = "decay_factor",
-       .spec_name = "DECAY_FACTOR",
+      {.name = "decay_factor", .spec_name = "DECAY_FACTOR",
        .summary = "How slowly a note fades after each pause; 0 disables the envelope. Audible only with encoder firmware or while the motors are off.",
        .range = &decay_factor_range,
        .special = decay_factor_special},
-      {.name = "reserved",
-       .spec_name = "RESERVED",
+      {.name = "reserved", .spec_name = "RESERVED",
        .summary = "Reserved; kept as it is.",
        .reserved = true},
-      {.name = "note_freq_hz",
-       .spec_name = "NOTE_FREQ_HZ",
+      {.name = "note_freq_hz", .spec_name = "NOTE_FREQ_HZ",
        .summary = "The notes of a custom melody; at most 30 in firmware of the specification's time.",
        .unit = &UnitMeta<msg::NoteFrequency>::info,
        .range = &note_freq_hz_range,
        .special = note_freq_hz_special,
        .max_count = 50},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, mode), &detail::value_type<decltype(T::mode)>},
+      {offsetof(T, note_length), &detail::value_type<decltype(T::note_length)>},
+      {offsetof(T, decay_factor), &detail::value_type<decltype(T::decay_factor)>},
+      {offsetof(T, reserved), &detail::value_type<decltype(T::reserved)>},
+      {offsetof(T, note_freq_hz), &detail::value_type<decltype(T::note_freq_hz)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.mode);
     visitor(fields[1], value.note_length);
     visitor(fields[2], value.decay_factor);
@@ -85,17 +89,18 @@ struct Meta<msg::TriggerPin> {
       .max_size = 2,
       .effects = Effects(Effect::sets)};
   static constexpr FieldInfo fields[] = {
-      {.name = "pin_id",
-       .spec_name = "PIN_ID",
+      {.name = "pin_id", .spec_name = "PIN_ID",
        .summary = "The pin."},
-      {.name = "state",
-       .spec_name = "STATE",
+      {.name = "state", .spec_name = "STATE",
        .summary = "New state of the pin."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, pin_id), &detail::value_type<decltype(T::pin_id)>},
+      {offsetof(T, state), &detail::value_type<decltype(T::state)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.pin_id);
     visitor(fields[1], value.state);
   }
@@ -119,17 +124,18 @@ struct Meta<msg::ServoOut> {
       {0, "the pin is low all the time"},
   };
   static constexpr FieldInfo fields[] = {
-      {.name = "servo_time",
-       .spec_name = "SERVO{1..8}_TIME",
+      {.name = "servo_time", .spec_name = "SERVO{1..8}_TIME",
        .summary = "Pulse of each output.",
        .unit = &UnitMeta<msg::ServoPulse>::info,
        .range = &servo_time_range,
        .special = servo_time_special},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, servo_time), &detail::value_type<decltype(T::servo_time)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.servo_time);
   }
 };
@@ -152,17 +158,18 @@ struct Meta<msg::ServoOutFour> {
       {0, "the pin is low all the time"},
   };
   static constexpr FieldInfo fields[] = {
-      {.name = "servo_time",
-       .spec_name = "SERVO{1..4}_TIME",
+      {.name = "servo_time", .spec_name = "SERVO{1..4}_TIME",
        .summary = "Pulse of each output.",
        .unit = &UnitMeta<msg::ServoPulse>::info,
        .range = &servo_time_range,
        .special = servo_time_special},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, servo_time), &detail::value_type<decltype(T::servo_time)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.servo_time);
   }
 };
@@ -185,20 +192,21 @@ struct Meta<msg::ServoOutExt> {
       {0, "the pin is low all the time"},
   };
   static constexpr FieldInfo fields[] = {
-      {.name = "servo_bits",
-       .spec_name = "SERVO_BITS",
+      {.name = "servo_bits", .spec_name = "SERVO_BITS",
        .summary = "Outputs to set."},
-      {.name = "servo_time",
-       .spec_name = "SERVO_TIME",
+      {.name = "servo_time", .spec_name = "SERVO_TIME",
        .summary = "Pulse of each selected output, from the lowest bit to the highest.",
        .unit = &UnitMeta<msg::ServoPulse>::info,
        .range = &servo_time_range,
        .special = servo_time_special},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, servo_bits), &detail::value_type<decltype(T::servo_bits)>},
+      {offsetof(T, servo_time), &detail::value_type<decltype(T::servo_time)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.servo_bits);
     visitor(fields[1], value.servo_time);
   }
@@ -217,20 +225,21 @@ struct Meta<msg::I2cWriteRegBuf> {
       .since = {.board = 30},
       .effects = Effects(Effect::sets) | Effect::stores};
   static constexpr FieldInfo fields[] = {
-      {.name = "device_addr",
-       .spec_name = "DEVICE_ADDR",
+      {.name = "device_addr", .spec_name = "DEVICE_ADDR",
        .summary = "The device."},
-      {.name = "reg_addr",
-       .spec_name = "REG_ADDR",
+      {.name = "reg_addr", .spec_name = "REG_ADDR",
        .summary = "First register."},
-      {.name = "data",
-       .spec_name = "DATA",
+      {.name = "data", .spec_name = "DATA",
        .summary = "Data to write."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, device_addr), &detail::value_type<decltype(T::device_addr)>},
+      {offsetof(T, reg_addr), &detail::value_type<decltype(T::reg_addr)>},
+      {offsetof(T, data), &detail::value_type<decltype(T::data)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.device_addr);
     visitor(fields[1], value.reg_addr);
     visitor(fields[2], value.data);
@@ -249,15 +258,16 @@ struct Meta<msg::I2cReadRegBuf> {
       .max_size = 255,
       .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
-      {.name = "data",
-       .spec_name = "DATA",
+      {.name = "data", .spec_name = "DATA",
        .summary = "The data, 1 to 255 bytes: as many as requested.",
        .max_count = 255},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, data), &detail::value_type<decltype(T::data)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.data);
   }
 };
@@ -278,22 +288,23 @@ struct Meta<msg::I2cReadRegBufRequest> {
       .effects = Effects(Effect::reads)};
   static constexpr Range data_len_range{1, 255};
   static constexpr FieldInfo fields[] = {
-      {.name = "device_addr",
-       .spec_name = "DEVICE_ADDR",
+      {.name = "device_addr", .spec_name = "DEVICE_ADDR",
        .summary = "The device."},
-      {.name = "reg_addr",
-       .spec_name = "REG_ADDR",
+      {.name = "reg_addr", .spec_name = "REG_ADDR",
        .summary = "First register."},
-      {.name = "data_len",
-       .spec_name = "DATA_LEN",
+      {.name = "data_len", .spec_name = "DATA_LEN",
        .summary = "Number of bytes to read.",
        .unit = &UnitMeta<msg::SmallByteCount>::info,
        .range = &data_len_range},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, device_addr), &detail::value_type<decltype(T::device_addr)>},
+      {offsetof(T, reg_addr), &detail::value_type<decltype(T::reg_addr)>},
+      {offsetof(T, data_len), &detail::value_type<decltype(T::data_len)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.device_addr);
     visitor(fields[1], value.reg_addr);
     visitor(fields[2], value.data_len);
@@ -317,19 +328,20 @@ struct Meta<msg::I2cReadRegBufRequestNoRegister> {
       .effects = Effects(Effect::reads)};
   static constexpr Range data_len_range{1, 255};
   static constexpr FieldInfo fields[] = {
-      {.name = "device_addr",
-       .spec_name = "DEVICE_ADDR",
+      {.name = "device_addr", .spec_name = "DEVICE_ADDR",
        .summary = "The device."},
-      {.name = "data_len",
-       .spec_name = "DATA_LEN",
+      {.name = "data_len", .spec_name = "DATA_LEN",
        .summary = "Number of bytes to read.",
        .unit = &UnitMeta<msg::SmallByteCount>::info,
        .range = &data_len_range},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, device_addr), &detail::value_type<decltype(T::device_addr)>},
+      {offsetof(T, data_len), &detail::value_type<decltype(T::data_len)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.device_addr);
     visitor(fields[1], value.data_len);
   }
@@ -352,22 +364,23 @@ struct Meta<msg::I2cReadRegBufRequestWideRegister> {
       .effects = Effects(Effect::reads)};
   static constexpr Range data_len_range{1, 255};
   static constexpr FieldInfo fields[] = {
-      {.name = "device_addr",
-       .spec_name = "DEVICE_ADDR",
+      {.name = "device_addr", .spec_name = "DEVICE_ADDR",
        .summary = "The device."},
-      {.name = "reg_addr",
-       .spec_name = "REG_ADDR",
+      {.name = "reg_addr", .spec_name = "REG_ADDR",
        .summary = "First register."},
-      {.name = "data_len",
-       .spec_name = "DATA_LEN",
+      {.name = "data_len", .spec_name = "DATA_LEN",
        .summary = "Number of bytes to read.",
        .unit = &UnitMeta<msg::SmallByteCount>::info,
        .range = &data_len_range},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, device_addr), &detail::value_type<decltype(T::device_addr)>},
+      {offsetof(T, reg_addr), &detail::value_type<decltype(T::reg_addr)>},
+      {offsetof(T, data_len), &detail::value_type<decltype(T::data_len)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.device_addr);
     visitor(fields[1], value.reg_addr);
     visitor(fields[2], value.data_len);
@@ -391,8 +404,7 @@ struct Meta<msg::ApiVirtChControl> {
       {-10000, "undefined, as if the signal were lost"},
   };
   static constexpr FieldInfo fields[] = {
-      {.name = "val_ch",
-       .spec_name = "VAL_CH{1..32}",
+      {.name = "val_ch", .spec_name = "VAL_CH{1..32}",
        .summary = "Signal of each channel, starting with the first; the board clips values beyond the range.",
        .unit = &UnitMeta<msg::CentredRcSignal>::info,
        .range = &val_ch_range,
@@ -400,10 +412,12 @@ struct Meta<msg::ApiVirtChControl> {
        .min_count = 1,
        .max_count = 32},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, val_ch), &detail::value_type<decltype(T::val_ch)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.val_ch);
   }
 };
@@ -425,8 +439,7 @@ struct Meta<msg::ApiVirtChHighRes> {
       {-32768, "undefined, as if the signal were lost"},
   };
   static constexpr FieldInfo fields[] = {
-      {.name = "val_ch",
-       .spec_name = "VAL_CH{1..32}",
+      {.name = "val_ch", .spec_name = "VAL_CH{1..32}",
        .summary = "Signal of each channel, starting with the first.",
        .unit = &UnitMeta<msg::FineRcSignal>::info,
        .range = &val_ch_range,
@@ -434,10 +447,12 @@ struct Meta<msg::ApiVirtChHighRes> {
        .min_count = 1,
        .max_count = 32},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, val_ch), &detail::value_type<decltype(T::val_ch)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.val_ch);
   }
 };
@@ -458,18 +473,19 @@ struct Meta<msg::ReadRcInputs> {
       {-32768, "undefined"},
   };
   static constexpr FieldInfo fields[] = {
-      {.name = "rc_val",
-       .spec_name = "RC_VAL",
+      {.name = "rc_val", .spec_name = "RC_VAL",
        .summary = "Signal of each requested input, in the order of the request.",
        .unit = &UnitMeta<msg::FineRcSignal>::info,
        .range = &rc_val_range,
        .special = rc_val_special,
        .max_count = 127},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, rc_val), &detail::value_type<decltype(T::rc_val)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.rc_val);
   }
 };
@@ -489,18 +505,19 @@ struct Meta<msg::ReadRcInputsRequest> {
       .answers = answers,
       .effects = Effects(Effect::sets)};
   static constexpr FieldInfo fields[] = {
-      {.name = "cfg_flags",
-       .spec_name = "CFG_FLAGS",
+      {.name = "cfg_flags", .spec_name = "CFG_FLAGS",
        .summary = "Options."},
-      {.name = "rc_src",
-       .spec_name = "RC_SRC",
+      {.name = "rc_src", .spec_name = "RC_SRC",
        .summary = "The inputs; more than 127 signals do not fit into the response.",
        .max_count = 127},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, cfg_flags), &detail::value_type<decltype(T::cfg_flags)>},
+      {offsetof(T, rc_src), &detail::value_type<decltype(T::rc_src)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.cfg_flags);
     visitor(fields[1], value.rc_src);
   }

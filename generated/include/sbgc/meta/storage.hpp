@@ -3,6 +3,9 @@
 /// Run-time metadata of the messages in <sbgc/messages/storage.hpp>.
 #pragma once
 
+#include <cstddef>
+
+#include <sbgc/detail/table.hpp>
 #include <sbgc/messages/storage.hpp>
 #include <sbgc/meta.hpp>
 #include <sbgc/meta/enums.hpp>
@@ -23,20 +26,21 @@ struct Meta<msg::EepromWrite> {
       .since = {.board = 30},
       .effects = Effects(Effect::stores) | Effect::moves};
   static constexpr FieldInfo fields[] = {
-      {.name = "addr",
-       .spec_name = "ADDR",
+      {.name = "addr", .spec_name = "ADDR",
        .summary = "Address to write to.",
        .align = 64},
-      {.name = "data",
-       .spec_name = "DATA",
+      {.name = "data", .spec_name = "DATA",
        .summary = "Data to write.",
        .max_count = 192,
        .align = 64},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, addr), &detail::value_type<decltype(T::addr)>},
+      {offsetof(T, data), &detail::value_type<decltype(T::data)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.addr);
     visitor(fields[1], value.data);
   }
@@ -54,23 +58,24 @@ struct Meta<msg::ReadFile> {
       .max_size = 255,
       .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
-      {.name = "file_size",
-       .spec_name = "FILE_SIZE",
+      {.name = "file_size", .spec_name = "FILE_SIZE",
        .summary = "Size of the whole file.",
        .unit = &UnitMeta<msg::ByteCount>::info},
-      {.name = "page_offset",
-       .spec_name = "PAGE_OFFSET",
+      {.name = "page_offset", .spec_name = "PAGE_OFFSET",
        .summary = "Offset of the data in the file, as in the request.",
        .unit = &UnitMeta<msg::Pages>::info},
-      {.name = "data",
-       .spec_name = "DATA",
+      {.name = "data", .spec_name = "DATA",
        .summary = "As many bytes as requested, or fewer at the end of the file.",
        .max_count = 251},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, file_size), &detail::value_type<decltype(T::file_size)>},
+      {offsetof(T, page_offset), &detail::value_type<decltype(T::page_offset)>},
+      {offsetof(T, data), &detail::value_type<decltype(T::data)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.file_size);
     visitor(fields[1], value.page_offset);
     visitor(fields[2], value.data);
@@ -89,14 +94,15 @@ struct Meta<msg::ReadFileError> {
       .max_size = 1,
       .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
-      {.name = "err_code",
-       .spec_name = "ERR_CODE",
+      {.name = "err_code", .spec_name = "ERR_CODE",
        .summary = "Error code."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, err_code), &detail::value_type<decltype(T::err_code)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.err_code);
   }
 };
@@ -117,27 +123,28 @@ struct Meta<msg::ReadFileRequest> {
       .effects = Effects(Effect::reads)};
   static constexpr Range max_data_size_range{0, 251};
   static constexpr FieldInfo fields[] = {
-      {.name = "file_id",
-       .spec_name = "FILE_ID",
+      {.name = "file_id", .spec_name = "FILE_ID",
        .summary = "File id."},
-      {.name = "page_offset",
-       .spec_name = "PAGE_OFFSET",
+      {.name = "page_offset", .spec_name = "PAGE_OFFSET",
        .summary = "Start of the block.",
        .unit = &UnitMeta<msg::Pages>::info},
-      {.name = "max_data_size",
-       .spec_name = "MAX_SIZE",
+      {.name = "max_data_size", .spec_name = "MAX_SIZE",
        .summary = "Maximum number of bytes to read; they must fit into one message.",
        .unit = &UnitMeta<msg::ByteCount>::info,
        .range = &max_data_size_range},
-      {.name = "reserved",
-       .spec_name = "RESERVED",
+      {.name = "reserved", .spec_name = "RESERVED",
        .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, file_id), &detail::value_type<decltype(T::file_id)>},
+      {offsetof(T, page_offset), &detail::value_type<decltype(T::page_offset)>},
+      {offsetof(T, max_data_size), &detail::value_type<decltype(T::max_data_size)>},
+      {offsetof(T, reserved), &detail::value_type<decltype(T::reserved)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.file_id);
     visitor(fields[1], value.page_offset);
     visitor(fields[2], value.max_data_size);
@@ -158,26 +165,27 @@ struct Meta<msg::WriteFile> {
       .since = {.board = 30},
       .effects = Effects(Effect::stores) | Effect::erases};
   static constexpr FieldInfo fields[] = {
-      {.name = "file_id",
-       .spec_name = "FILE_ID",
+      {.name = "file_id", .spec_name = "FILE_ID",
        .summary = "File id; a missing file is created."},
-      {.name = "file_size",
-       .spec_name = "FILE_SIZE",
+      {.name = "file_size", .spec_name = "FILE_SIZE",
        .summary = "Size of the whole file.",
        .unit = &UnitMeta<msg::ByteCount>::info},
-      {.name = "page_offset",
-       .spec_name = "PAGE_OFFSET",
+      {.name = "page_offset", .spec_name = "PAGE_OFFSET",
        .summary = "Start of the block.",
        .unit = &UnitMeta<msg::Pages>::info},
-      {.name = "data",
-       .spec_name = "DATA",
+      {.name = "data", .spec_name = "DATA",
        .summary = "Data to write; empty deletes the file.",
        .max_count = 249},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, file_id), &detail::value_type<decltype(T::file_id)>},
+      {offsetof(T, file_size), &detail::value_type<decltype(T::file_size)>},
+      {offsetof(T, page_offset), &detail::value_type<decltype(T::page_offset)>},
+      {offsetof(T, data), &detail::value_type<decltype(T::data)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.file_id);
     visitor(fields[1], value.file_size);
     visitor(fields[2], value.page_offset);
@@ -198,9 +206,7 @@ struct Meta<msg::FsClearAll> {
       .since = {.board = 30},
       .effects = Effects(Effect::erases)};
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T&, Visitor&&) {
+  static constexpr void visit(auto&, auto&&) {
   }
 };
 
@@ -216,19 +222,20 @@ struct Meta<msg::EepromRead> {
       .max_size = 196,
       .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
-      {.name = "addr",
-       .spec_name = "ADDR",
+      {.name = "addr", .spec_name = "ADDR",
        .summary = "Address of the block.",
        .align = 64},
-      {.name = "data",
-       .spec_name = "DATA",
+      {.name = "data", .spec_name = "DATA",
        .summary = "Content of the block, as many bytes as requested.",
        .max_count = 192},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, addr), &detail::value_type<decltype(T::addr)>},
+      {offsetof(T, data), &detail::value_type<decltype(T::data)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.addr);
     visitor(fields[1], value.data);
   }
@@ -250,21 +257,22 @@ struct Meta<msg::EepromReadRequest> {
       .effects = Effects(Effect::reads)};
   static constexpr Range size_range{0, 192};
   static constexpr FieldInfo fields[] = {
-      {.name = "addr",
-       .spec_name = "ADDR",
+      {.name = "addr", .spec_name = "ADDR",
        .summary = "Start of the block.",
        .align = 64},
-      {.name = "size",
-       .spec_name = "SIZE",
+      {.name = "size", .spec_name = "SIZE",
        .summary = "Number of bytes to read; they must fit into one message.",
        .unit = &UnitMeta<msg::ByteCount>::info,
        .range = &size_range,
        .align = 64},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, addr), &detail::value_type<decltype(T::addr)>},
+      {offsetof(T, size), &detail::value_type<decltype(T::size)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.addr);
     visitor(fields[1], value.size);
   }
@@ -282,14 +290,15 @@ struct Meta<msg::ReadExternalData> {
       .max_size = 128,
       .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
-      {.name = "data",
-       .spec_name = "data",
+      {.name = "data", .spec_name = "data",
        .summary = "The user data."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, data), &detail::value_type<decltype(T::data)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.data);
     visitor(tail_field, value.tail);
   }
@@ -310,9 +319,7 @@ struct Meta<msg::ReadExternalDataRequest> {
       .answers = answers,
       .effects = Effects(Effect::reads)};
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T&, Visitor&&) {
+  static constexpr void visit(auto&, auto&&) {
   }
 };
 

@@ -3,6 +3,9 @@
 /// Run-time metadata of the messages in <sbgc/messages/system.hpp>.
 #pragma once
 
+#include <cstddef>
+
+#include <sbgc/detail/table.hpp>
 #include <sbgc/messages/system.hpp>
 #include <sbgc/meta.hpp>
 #include <sbgc/meta/enums.hpp>
@@ -24,45 +27,46 @@ struct Meta<msg::BoardInfo> {
       {0, "unknown; the sensors are often unplugged"},
   };
   static constexpr FieldInfo fields[] = {
-      {.name = "board_ver",
-       .spec_name = "BOARD_VER",
+      {.name = "board_ver", .spec_name = "BOARD_VER",
        .summary = "Hardware version."},
-      {.name = "firmware_ver",
-       .spec_name = "FIRMWARE_VER",
+      {.name = "firmware_ver", .spec_name = "FIRMWARE_VER",
        .summary = "Firmware version.",
        .special = firmware_ver_special},
-      {.name = "debug_mode",
-       .spec_name = "DEBUG_MODE",
+      {.name = "debug_mode", .spec_name = "DEBUG_MODE",
        .summary = "State of the board; before later firmware, only whether debug output is enabled."},
-      {.name = "board_features",
-       .spec_name = "BOARD_FEATURES",
+      {.name = "board_features", .spec_name = "BOARD_FEATURES",
        .summary = "Features of the board."},
-      {.name = "connection_flags",
-       .spec_name = "CONNECTION_FLAGS",
+      {.name = "connection_flags", .spec_name = "CONNECTION_FLAGS",
        .summary = "How this host is connected."},
-      {.name = "frw_extra_id",
-       .spec_name = "FRW_EXTRA_ID",
+      {.name = "frw_extra_id", .spec_name = "FRW_EXTRA_ID",
        .summary = "Identifies special firmware builds."},
-      {.name = "board_features_ext",
-       .spec_name = "BOARD_FEATURES_EXT",
+      {.name = "board_features_ext", .spec_name = "BOARD_FEATURES_EXT",
        .summary = "More features of the board."},
-      {.name = "main_imu_sens_model",
-       .spec_name = "MAIN_IMU_SENS_MODEL",
+      {.name = "main_imu_sens_model", .spec_name = "MAIN_IMU_SENS_MODEL",
        .summary = "Model of the main IMU's sensor."},
-      {.name = "frame_imu_sens_model",
-       .spec_name = "FRAME_IMU_SENS_MODEL",
+      {.name = "frame_imu_sens_model", .spec_name = "FRAME_IMU_SENS_MODEL",
        .summary = "Model of the frame IMU's sensor."},
-      {.name = "build_number",
-       .spec_name = "BUILD_NUMBER",
+      {.name = "build_number", .spec_name = "BUILD_NUMBER",
        .summary = "Build of the firmware version."},
-      {.name = "base_frw_ver",
-       .spec_name = "BASE_FRW_VER",
+      {.name = "base_frw_ver", .spec_name = "BASE_FRW_VER",
        .summary = "Main version on which an experimental version is based."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, board_ver), &detail::value_type<decltype(T::board_ver)>},
+      {offsetof(T, firmware_ver), &detail::value_type<decltype(T::firmware_ver)>},
+      {offsetof(T, debug_mode), &detail::value_type<decltype(T::debug_mode)>},
+      {offsetof(T, board_features), &detail::value_type<decltype(T::board_features)>},
+      {offsetof(T, connection_flags), &detail::value_type<decltype(T::connection_flags)>},
+      {offsetof(T, frw_extra_id), &detail::value_type<decltype(T::frw_extra_id)>},
+      {offsetof(T, board_features_ext), &detail::value_type<decltype(T::board_features_ext)>},
+      {offsetof(T, main_imu_sens_model), &detail::value_type<decltype(T::main_imu_sens_model)>},
+      {offsetof(T, frame_imu_sens_model), &detail::value_type<decltype(T::frame_imu_sens_model)>},
+      {offsetof(T, build_number), &detail::value_type<decltype(T::build_number)>},
+      {offsetof(T, base_frw_ver), &detail::value_type<decltype(T::base_frw_ver)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.board_ver);
     visitor(fields[1], value.firmware_ver);
     visitor(fields[2], value.debug_mode);
@@ -92,9 +96,7 @@ struct Meta<msg::BoardInfoRequest> {
       .answers = answers,
       .effects = Effects(Effect::reads)};
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T&, Visitor&&) {
+  static constexpr void visit(auto&, auto&&) {
   }
 };
 
@@ -112,15 +114,16 @@ struct Meta<msg::BoardInfoRequestOneByte> {
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr FieldInfo fields[] = {
-      {.name = "reserved",
-       .spec_name = "RESERVED",
+      {.name = "reserved", .spec_name = "RESERVED",
        .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, reserved), &detail::value_type<decltype(T::reserved)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.reserved);
   }
 };
@@ -140,23 +143,24 @@ struct Meta<msg::BoardInfoRequestExt> {
       .answers = answers,
       .effects = Effects(Effect::sets)};
   static constexpr FieldInfo fields[] = {
-      {.name = "cfg",
-       .spec_name = "CFG",
+      {.name = "cfg", .spec_name = "CFG",
        .summary = "On a UART, the pause between the 20-byte packets of a Bluetooth LE link; no meaning on USB.",
        .unit = &UnitMeta<msg::Milliseconds>::info},
-      {.name = "password",
-       .spec_name = "PASSWORD",
+      {.name = "password", .spec_name = "PASSWORD",
        .summary = "Opens a port with a password, from firmware 2.73.6 on.",
        .secret = true},
-      {.name = "reserved",
-       .spec_name = "RESERVED",
+      {.name = "reserved", .spec_name = "RESERVED",
        .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, cfg), &detail::value_type<decltype(T::cfg)>},
+      {offsetof(T, password), &detail::value_type<decltype(T::password)>},
+      {offsetof(T, reserved), &detail::value_type<decltype(T::reserved)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.cfg);
     visitor(fields[1], value.password);
     visitor(fields[2], value.reserved);
@@ -178,32 +182,33 @@ struct Meta<msg::Confirm> {
       {-1, "the pin is unavailable"},
   };
   static constexpr FieldInfo fields[] = {
-      {.name = "cmd",
-       .spec_name = "CMD",
+      {.name = "cmd", .spec_name = "CMD",
        .summary = "The confirmed command."},
-      {.name = "addr",
-       .spec_name = "ADDR",
+      {.name = "addr", .spec_name = "ADDR",
        .summary = "Address of the written block."},
-      {.name = "err_code",
-       .spec_name = "ERR_CODE",
+      {.name = "err_code", .spec_name = "ERR_CODE",
        .summary = "Result of the file operation."},
-      {.name = "pin_id",
-       .spec_name = "PIN_ID",
+      {.name = "pin_id", .spec_name = "PIN_ID",
        .summary = "The pin that became an input."},
-      {.name = "pin_state",
-       .spec_name = "PIN_STATE",
+      {.name = "pin_state", .spec_name = "PIN_STATE",
        .summary = "Its level.",
        .range = &pin_state_range,
        .special = pin_state_special},
-      {.name = "data",
-       .spec_name = "DATA",
+      {.name = "data", .spec_name = "DATA",
        .summary = "Data of other commands; usually empty, or 0 for success.",
        .max_count = 5},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, cmd), &detail::value_type<decltype(T::cmd)>},
+      {offsetof(T, addr), &detail::value_type<decltype(T::addr)>},
+      {offsetof(T, err_code), &detail::value_type<decltype(T::err_code)>},
+      {offsetof(T, pin_id), &detail::value_type<decltype(T::pin_id)>},
+      {offsetof(T, pin_state), &detail::value_type<decltype(T::pin_state)>},
+      {offsetof(T, data), &detail::value_type<decltype(T::data)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.cmd);
     visitor(fields[1], value.addr);
     visitor(fields[2], value.err_code);
@@ -225,17 +230,18 @@ struct Meta<msg::Error> {
       .max_size = 5,
       .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
-      {.name = "error_code",
-       .spec_name = "ERROR_CODE",
+      {.name = "error_code", .spec_name = "ERROR_CODE",
        .summary = "Error code."},
-      {.name = "error_data",
-       .spec_name = "ERROR_DATA",
+      {.name = "error_data", .spec_name = "ERROR_DATA",
        .summary = "Details that depend on the code."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, error_code), &detail::value_type<decltype(T::error_code)>},
+      {offsetof(T, error_data), &detail::value_type<decltype(T::error_data)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.error_code);
     visitor(fields[1], value.error_data);
   }
@@ -253,20 +259,21 @@ struct Meta<msg::ErrorExt> {
       .max_size = 6,
       .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
-      {.name = "cmd_id",
-       .spec_name = "CMD_ID",
+      {.name = "cmd_id", .spec_name = "CMD_ID",
        .summary = "The failed command."},
-      {.name = "error_code",
-       .spec_name = "ERROR_CODE",
+      {.name = "error_code", .spec_name = "ERROR_CODE",
        .summary = "Error code."},
-      {.name = "error_data",
-       .spec_name = "ERROR_DATA",
+      {.name = "error_data", .spec_name = "ERROR_DATA",
        .summary = "Details that depend on the code."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, cmd_id), &detail::value_type<decltype(T::cmd_id)>},
+      {offsetof(T, error_code), &detail::value_type<decltype(T::error_code)>},
+      {offsetof(T, error_data), &detail::value_type<decltype(T::error_data)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.cmd_id);
     visitor(fields[1], value.error_code);
     visitor(fields[2], value.error_data);
@@ -296,69 +303,70 @@ struct Meta<msg::BoardInfo3> {
       {0, "the slot is empty"},
   };
   static constexpr FieldInfo fields[] = {
-      {.name = "device_id",
-       .spec_name = "deviceID",
+      {.name = "device_id", .spec_name = "deviceID",
        .summary = "Identifies the board."},
-      {.name = "mcu_id",
-       .spec_name = "mcuID",
+      {.name = "mcu_id", .spec_name = "mcuID",
        .summary = "Identifies the microcontroller."},
-      {.name = "eeprom_size",
-       .spec_name = "EEPROM_SIZE",
+      {.name = "eeprom_size", .spec_name = "EEPROM_SIZE",
        .summary = "Size of the EEPROM.",
        .unit = &UnitMeta<msg::LongByteCount>::info},
-      {.name = "script_slot_size",
-       .spec_name = "SCRIPT_SLOT{1..5}_SIZE",
+      {.name = "script_slot_size", .spec_name = "SCRIPT_SLOT{1..5}_SIZE",
        .summary = "Size of the user script in each slot.",
        .unit = &UnitMeta<msg::ByteCount>::info,
        .special = script_slot_size_special},
-      {.name = "profile_set_slots",
-       .spec_name = "PROFILE_SET_SLOTS",
+      {.name = "profile_set_slots", .spec_name = "PROFILE_SET_SLOTS",
        .summary = "Profile sets in memory."},
-      {.name = "profile_set_cur",
-       .spec_name = "PROFILE_SET_CUR",
+      {.name = "profile_set_cur", .spec_name = "PROFILE_SET_CUR",
        .summary = "Selected profile set; 6 is the backup.",
        .range = &profile_set_cur_range,
        .special = profile_set_cur_special},
-      {.name = "flash_size",
-       .spec_name = "FLASH_SIZE",
+      {.name = "flash_size", .spec_name = "FLASH_SIZE",
        .summary = "Size of the flash memory.",
        .unit = &UnitMeta<msg::FlashSize>::info},
-      {.name = "imu_calib_info",
-       .spec_name = "IMU_CALIB_INFO",
+      {.name = "imu_calib_info", .spec_name = "IMU_CALIB_INFO",
        .summary = "Information about the calibrations of the IMUs."},
-      {.name = "script_slot_6_to_10_size",
-       .spec_name = "SCRIPT_SLOT{6..10}_SIZE",
+      {.name = "script_slot_6_to_10_size", .spec_name = "SCRIPT_SLOT{6..10}_SIZE",
        .summary = "Size of the user script in each of slots 6 to 10.",
        .unit = &UnitMeta<msg::ByteCount>::info,
        .special = script_slot_6_to_10_size_special},
-      {.name = "hw_flags",
-       .spec_name = "HW_FLAGS",
+      {.name = "hw_flags", .spec_name = "HW_FLAGS",
        .summary = "Hardware on the board."},
-      {.name = "board_features_ext2",
-       .spec_name = "BOARD_FEATURES_EXT2",
+      {.name = "board_features_ext2", .spec_name = "BOARD_FEATURES_EXT2",
        .summary = "More features of the board.",
        .since = {.firmware = 2730}},
-      {.name = "can_drv_main_limit",
-       .spec_name = "CAN_DRV_MAIN_LIMIT",
+      {.name = "can_drv_main_limit", .spec_name = "CAN_DRV_MAIN_LIMIT",
        .summary = "Number of licensed CAN motor drivers for the main axes.",
        .since = {.firmware = 2723}},
-      {.name = "can_drv_aux_limit",
-       .spec_name = "CAN_DRV_AUX_LIMIT",
+      {.name = "can_drv_aux_limit", .spec_name = "CAN_DRV_AUX_LIMIT",
        .summary = "Number of licensed CAN motor drivers for auxiliary motors.",
        .since = {.firmware = 2723}},
-      {.name = "adj_vars_total_num",
-       .spec_name = "ADJ_VARS_TOTAL_NUM",
+      {.name = "adj_vars_total_num", .spec_name = "ADJ_VARS_TOTAL_NUM",
        .summary = "Number of adjustable variables.",
        .since = {.firmware = 2730}},
-      {.name = "reserved",
-       .spec_name = "RESERVED",
+      {.name = "reserved", .spec_name = "RESERVED",
        .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, device_id), &detail::value_type<decltype(T::device_id)>},
+      {offsetof(T, mcu_id), &detail::value_type<decltype(T::mcu_id)>},
+      {offsetof(T, eeprom_size), &detail::value_type<decltype(T::eeprom_size)>},
+      {offsetof(T, script_slot_size), &detail::value_type<decltype(T::script_slot_size)>},
+      {offsetof(T, profile_set_slots), &detail::value_type<decltype(T::profile_set_slots)>},
+      {offsetof(T, profile_set_cur), &detail::value_type<decltype(T::profile_set_cur)>},
+      {offsetof(T, flash_size), &detail::value_type<decltype(T::flash_size)>},
+      {offsetof(T, imu_calib_info), &detail::value_type<decltype(T::imu_calib_info)>},
+      {offsetof(T, script_slot_6_to_10_size), &detail::value_type<decltype(T::script_slot_6_to_10_size)>},
+      {offsetof(T, hw_flags), &detail::value_type<decltype(T::hw_flags)>},
+      {offsetof(T, board_features_ext2), &detail::value_type<decltype(T::board_features_ext2)>},
+      {offsetof(T, can_drv_main_limit), &detail::value_type<decltype(T::can_drv_main_limit)>},
+      {offsetof(T, can_drv_aux_limit), &detail::value_type<decltype(T::can_drv_aux_limit)>},
+      {offsetof(T, adj_vars_total_num), &detail::value_type<decltype(T::adj_vars_total_num)>},
+      {offsetof(T, reserved), &detail::value_type<decltype(T::reserved)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.device_id);
     visitor(fields[1], value.mcu_id);
     visitor(fields[2], value.eeprom_size);
@@ -393,9 +401,7 @@ struct Meta<msg::BoardInfo3Request> {
       .answers = answers,
       .effects = Effects(Effect::reads)};
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T&, Visitor&&) {
+  static constexpr void visit(auto&, auto&&) {
   }
 };
 
@@ -410,9 +416,7 @@ struct Meta<msg::Reset> {
       .min_size = 0,
       .max_size = 0};
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(tail_field, value.tail);
   }
 };
@@ -429,9 +433,7 @@ struct Meta<msg::ResetRequest> {
       .max_size = 0,
       .effects = Effects(Effect::restarts)};
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T&, Visitor&&) {
+  static constexpr void visit(auto&, auto&&) {
   }
 };
 
@@ -449,18 +451,19 @@ struct Meta<msg::ResetRequestExt> {
       .answers = answers,
       .effects = Effects(Effect::restarts)};
   static constexpr FieldInfo fields[] = {
-      {.name = "confirm",
-       .spec_name = "CONFIRM",
+      {.name = "confirm", .spec_name = "CONFIRM",
        .summary = "Whether CMD_RESET is sent back first."},
-      {.name = "delay_ms",
-       .spec_name = "DELAY_MS",
+      {.name = "delay_ms", .spec_name = "DELAY_MS",
        .summary = "Delay before the restart.",
        .unit = &UnitMeta<msg::Milliseconds>::info},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, confirm), &detail::value_type<decltype(T::confirm)>},
+      {offsetof(T, delay_ms), &detail::value_type<decltype(T::delay_ms)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.confirm);
     visitor(fields[1], value.delay_ms);
   }
@@ -479,9 +482,7 @@ struct Meta<msg::BootMode3> {
       .since = {.board = 30},
       .effects = Effects(Effect::restarts) | Effect::disconnects};
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T&, Visitor&&) {
+  static constexpr void visit(auto&, auto&&) {
   }
 };
 
@@ -500,18 +501,19 @@ struct Meta<msg::BootMode3Ext> {
       .answers = answers,
       .effects = Effects(Effect::restarts) | Effect::disconnects};
   static constexpr FieldInfo fields[] = {
-      {.name = "confirm",
-       .spec_name = "CONFIRM",
+      {.name = "confirm", .spec_name = "CONFIRM",
        .summary = "Whether CMD_RESET is sent back first."},
-      {.name = "delay_ms",
-       .spec_name = "DELAY_MS",
+      {.name = "delay_ms", .spec_name = "DELAY_MS",
        .summary = "Delay before the bootloader starts.",
        .unit = &UnitMeta<msg::Milliseconds>::info},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, confirm), &detail::value_type<decltype(T::confirm)>},
+      {offsetof(T, delay_ms), &detail::value_type<decltype(T::delay_ms)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.confirm);
     visitor(fields[1], value.delay_ms);
   }
@@ -529,71 +531,72 @@ struct Meta<msg::ReadStateVars> {
       .max_size = 192,
       .since = {.firmware = 2687, .board = 36, .features = 0x40000}};
   static constexpr FieldInfo fields[] = {
-      {.name = "step_signal_val",
-       .spec_name = "STEP_SIGNAL_VAL",
+      {.name = "step_signal_val", .spec_name = "STEP_SIGNAL_VAL",
        .summary = "Current value of each step signal."},
-      {.name = "sub_error",
-       .spec_name = "SUB_ERROR",
+      {.name = "sub_error", .spec_name = "SUB_ERROR",
        .summary = "Reason for the last emergency stop."},
-      {.name = "max_acc",
-       .spec_name = "MAX_ACC",
+      {.name = "max_acc", .spec_name = "MAX_ACC",
        .summary = "Highest acceleration.",
        .unit = &UnitMeta<msg::AccelerationPeak>::info},
-      {.name = "work_time",
-       .spec_name = "WORK_TIME",
+      {.name = "work_time", .spec_name = "WORK_TIME",
        .summary = "Time in operation.",
        .unit = &UnitMeta<msg::LongSeconds>::info},
-      {.name = "startup_cnt",
-       .spec_name = "STARTUP_CNT",
+      {.name = "startup_cnt", .spec_name = "STARTUP_CNT",
        .summary = "Number of starts."},
-      {.name = "max_current",
-       .spec_name = "MAX_CURRENT",
+      {.name = "max_current", .spec_name = "MAX_CURRENT",
        .summary = "Highest current.",
        .unit = &UnitMeta<msg::Current>::info},
-      {.name = "imu_temp_min",
-       .spec_name = "IMU_TEMP_MIN",
+      {.name = "imu_temp_min", .spec_name = "IMU_TEMP_MIN",
        .summary = "Lowest temperature of the IMU.",
        .unit = &UnitMeta<msg::PositiveTemperature>::info},
-      {.name = "imu_temp_max",
-       .spec_name = "IMU_TEMP_MAX",
+      {.name = "imu_temp_max", .spec_name = "IMU_TEMP_MAX",
        .summary = "Highest temperature of the IMU.",
        .unit = &UnitMeta<msg::PositiveTemperature>::info},
-      {.name = "mcu_temp_min",
-       .spec_name = "MCU_TEMP_MIN",
+      {.name = "mcu_temp_min", .spec_name = "MCU_TEMP_MIN",
        .summary = "Lowest temperature of the microcontroller.",
        .unit = &UnitMeta<msg::PositiveTemperature>::info},
-      {.name = "mcu_temp_max",
-       .spec_name = "MCU_TEMP_MAX",
+      {.name = "mcu_temp_max", .spec_name = "MCU_TEMP_MAX",
        .summary = "Highest temperature of the microcontroller.",
        .unit = &UnitMeta<msg::PositiveTemperature>::info},
-      {.name = "shock_cnt",
-       .spec_name = "SHOCK_CNT",
+      {.name = "shock_cnt", .spec_name = "SHOCK_CNT",
        .summary = "Numbers of shocks."},
-      {.name = "energy_time",
-       .spec_name = "ENERGY_TIME",
+      {.name = "energy_time", .spec_name = "ENERGY_TIME",
        .summary = "Time over which ENERGY is counted.",
        .unit = &UnitMeta<msg::LongSeconds>::info},
-      {.name = "energy",
-       .spec_name = "ENERGY",
+      {.name = "energy", .spec_name = "ENERGY",
        .summary = "Energy used.",
        .unit = &UnitMeta<msg::WattHours>::info},
-      {.name = "avg_current_time",
-       .spec_name = "AVG_CURRENT_TIME",
+      {.name = "avg_current_time", .spec_name = "AVG_CURRENT_TIME",
        .summary = "Time over which AVG_CURRENT is averaged.",
        .unit = &UnitMeta<msg::LongSeconds>::info},
-      {.name = "avg_current",
-       .spec_name = "AVG_CURRENT",
+      {.name = "avg_current", .spec_name = "AVG_CURRENT",
        .summary = "Average current.",
        .unit = &UnitMeta<msg::AverageCurrent>::info},
-      {.name = "reserved",
-       .spec_name = "RESERVED",
+      {.name = "reserved", .spec_name = "RESERVED",
        .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, step_signal_val), &detail::value_type<decltype(T::step_signal_val)>},
+      {offsetof(T, sub_error), &detail::value_type<decltype(T::sub_error)>},
+      {offsetof(T, max_acc), &detail::value_type<decltype(T::max_acc)>},
+      {offsetof(T, work_time), &detail::value_type<decltype(T::work_time)>},
+      {offsetof(T, startup_cnt), &detail::value_type<decltype(T::startup_cnt)>},
+      {offsetof(T, max_current), &detail::value_type<decltype(T::max_current)>},
+      {offsetof(T, imu_temp_min), &detail::value_type<decltype(T::imu_temp_min)>},
+      {offsetof(T, imu_temp_max), &detail::value_type<decltype(T::imu_temp_max)>},
+      {offsetof(T, mcu_temp_min), &detail::value_type<decltype(T::mcu_temp_min)>},
+      {offsetof(T, mcu_temp_max), &detail::value_type<decltype(T::mcu_temp_max)>},
+      {offsetof(T, shock_cnt), &detail::value_type<decltype(T::shock_cnt)>},
+      {offsetof(T, energy_time), &detail::value_type<decltype(T::energy_time)>},
+      {offsetof(T, energy), &detail::value_type<decltype(T::energy)>},
+      {offsetof(T, avg_current_time), &detail::value_type<decltype(T::avg_current_time)>},
+      {offsetof(T, avg_current), &detail::value_type<decltype(T::avg_current)>},
+      {offsetof(T, reserved), &detail::value_type<decltype(T::reserved)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.step_signal_val);
     visitor(fields[1], value.sub_error);
     visitor(fields[2], value.max_acc);
@@ -629,9 +632,7 @@ struct Meta<msg::ReadStateVarsRequest> {
       .answers = answers,
       .effects = Effects(Effect::reads)};
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T&, Visitor&&) {
+  static constexpr void visit(auto&, auto&&) {
   }
 };
 
@@ -647,14 +648,15 @@ struct Meta<msg::SignMessage> {
       .max_size = 32,
       .since = {.firmware = 2500, .board = 30}};
   static constexpr FieldInfo fields[] = {
-      {.name = "signature",
-       .spec_name = "SIGNATURE",
+      {.name = "signature", .spec_name = "SIGNATURE",
        .summary = "The signature."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, signature), &detail::value_type<decltype(T::signature)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.signature);
     visitor(tail_field, value.tail);
   }
@@ -675,17 +677,18 @@ struct Meta<msg::SignMessageRequest> {
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr FieldInfo fields[] = {
-      {.name = "sign_type",
-       .spec_name = "SIGN_TYPE",
+      {.name = "sign_type", .spec_name = "SIGN_TYPE",
        .summary = "Set of keys."},
-      {.name = "message",
-       .spec_name = "MESSAGE",
+      {.name = "message", .spec_name = "MESSAGE",
        .summary = "The message."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, sign_type), &detail::value_type<decltype(T::sign_type)>},
+      {offsetof(T, message), &detail::value_type<decltype(T::message)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.sign_type);
     visitor(fields[1], value.message);
   }
@@ -703,18 +706,19 @@ struct Meta<msg::PassProtectRead> {
       .max_size = 8,
       .since = {.firmware = 2736}};
   static constexpr FieldInfo fields[] = {
-      {.name = "flags",
-       .spec_name = "FLAGS",
+      {.name = "flags", .spec_name = "FLAGS",
        .summary = "What is protected."},
-      {.name = "reserved",
-       .spec_name = "RESERVED",
+      {.name = "reserved", .spec_name = "RESERVED",
        .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, flags), &detail::value_type<decltype(T::flags)>},
+      {offsetof(T, reserved), &detail::value_type<decltype(T::reserved)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.flags);
     visitor(fields[1], value.reserved);
     visitor(tail_field, value.tail);
@@ -736,9 +740,7 @@ struct Meta<msg::PassProtectReadRequest> {
       .answers = answers,
       .effects = Effects(Effect::reads)};
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T&, Visitor&&) {
+  static constexpr void visit(auto&, auto&&) {
   }
 };
 
@@ -756,22 +758,23 @@ struct Meta<msg::PassProtectWrite> {
       .secret_from = 8,
       .effects = Effects(Effect::stores)};
   static constexpr FieldInfo fields[] = {
-      {.name = "flags",
-       .spec_name = "FLAGS",
+      {.name = "flags", .spec_name = "FLAGS",
        .summary = "What is protected."},
-      {.name = "reserved",
-       .spec_name = "RESERVED",
+      {.name = "reserved", .spec_name = "RESERVED",
        .summary = "Reserved; kept as it is.",
        .reserved = true},
-      {.name = "new_password",
-       .spec_name = "NEW_PASSWORD",
+      {.name = "new_password", .spec_name = "NEW_PASSWORD",
        .summary = "The new password; empty keeps the present one.",
        .secret = true},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, flags), &detail::value_type<decltype(T::flags)>},
+      {offsetof(T, reserved), &detail::value_type<decltype(T::reserved)>},
+      {offsetof(T, new_password), &detail::value_type<decltype(T::new_password)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.flags);
     visitor(fields[1], value.reserved);
     visitor(fields[2], value.new_password);
@@ -790,14 +793,15 @@ struct Meta<msg::QueueParamsInfo3> {
       .max_size = 255,
       .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
-      {.name = "data",
-       .spec_name = "DATA",
+      {.name = "data", .spec_name = "DATA",
        .summary = "Undocumented content."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, data), &detail::value_type<decltype(T::data)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.data);
   }
 };
@@ -815,14 +819,15 @@ struct Meta<msg::QueueParamsInfo3Request> {
       .since = {.board = 30},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
-      {.name = "data",
-       .spec_name = "DATA",
+      {.name = "data", .spec_name = "DATA",
        .summary = "Undocumented content."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, data), &detail::value_type<decltype(T::data)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.data);
   }
 };
@@ -839,14 +844,15 @@ struct Meta<msg::SystemState> {
       .max_size = 255,
       .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
-      {.name = "data",
-       .spec_name = "DATA",
+      {.name = "data", .spec_name = "DATA",
        .summary = "Undocumented content."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, data), &detail::value_type<decltype(T::data)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.data);
   }
 };
@@ -864,14 +870,15 @@ struct Meta<msg::SystemStateRequest> {
       .since = {.board = 30},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
-      {.name = "data",
-       .spec_name = "DATA",
+      {.name = "data", .spec_name = "DATA",
        .summary = "Undocumented content."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, data), &detail::value_type<decltype(T::data)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.data);
   }
 };
@@ -888,14 +895,15 @@ struct Meta<msg::MavlinkInfo> {
       .max_size = 255,
       .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
-      {.name = "data",
-       .spec_name = "DATA",
+      {.name = "data", .spec_name = "DATA",
        .summary = "Undocumented content."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, data), &detail::value_type<decltype(T::data)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.data);
   }
 };
@@ -913,14 +921,15 @@ struct Meta<msg::MavlinkInfoRequest> {
       .since = {.board = 30},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
-      {.name = "data",
-       .spec_name = "DATA",
+      {.name = "data", .spec_name = "DATA",
        .summary = "Undocumented content."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, data), &detail::value_type<decltype(T::data)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.data);
   }
 };
@@ -937,14 +946,15 @@ struct Meta<msg::MavlinkDebug> {
       .max_size = 255,
       .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
-      {.name = "data",
-       .spec_name = "DATA",
+      {.name = "data", .spec_name = "DATA",
        .summary = "Undocumented content."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, data), &detail::value_type<decltype(T::data)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.data);
   }
 };
@@ -962,14 +972,15 @@ struct Meta<msg::MavlinkDebugRequest> {
       .since = {.board = 30},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
-      {.name = "data",
-       .spec_name = "DATA",
+      {.name = "data", .spec_name = "DATA",
        .summary = "Undocumented content."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, data), &detail::value_type<decltype(T::data)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.data);
   }
 };
@@ -987,14 +998,15 @@ struct Meta<msg::ExtLicenseInfo> {
       .since = {.firmware = 2600},
       .unconfirmed = true};
   static constexpr FieldInfo fields[] = {
-      {.name = "data",
-       .spec_name = "DATA",
+      {.name = "data", .spec_name = "DATA",
        .summary = "Undocumented content."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, data), &detail::value_type<decltype(T::data)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.data);
   }
 };
@@ -1013,14 +1025,15 @@ struct Meta<msg::ExtLicenseInfoRequest> {
       .unconfirmed = true,
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
-      {.name = "data",
-       .spec_name = "DATA",
+      {.name = "data", .spec_name = "DATA",
        .summary = "Undocumented content."},
   };
+  template <class T>
+  static constexpr detail::Slot slots[] = {
+      {offsetof(T, data), &detail::value_type<decltype(T::data)>},
+  };
 
-  /// Calls `visitor(field, member)` for each member in wire order.
-  template <class T, class Visitor>
-  static constexpr void visit(T& value, Visitor&& visitor) {
+  static constexpr void visit(auto& value, auto&& visitor) {
     visitor(fields[0], value.data);
   }
 };

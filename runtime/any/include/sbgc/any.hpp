@@ -20,17 +20,18 @@
 #include <utility>
 #include <vector>
 
+#include <sbgc/detail/table.hpp>
 #include <sbgc/dispatch.hpp>
 #include <sbgc/field_type.hpp>
 #include <sbgc/framing.hpp>
 #include <sbgc/from_json.hpp>
 #include <sbgc/internal/message_type.hpp>
+#include <sbgc/internal/violations.hpp>
 #include <sbgc/meta.hpp>
 #include <sbgc/surplus.hpp>
 #include <sbgc/text/leaves.hpp>
 #include <sbgc/text_output.hpp>
 #include <sbgc/value_text.hpp>
-#include <sbgc/violation.hpp>
 
 namespace sbgc {
 
@@ -38,29 +39,21 @@ class AnyMessage;
 
 namespace detail {
 
-class FieldSetter;
+/// The most memory of a message that takes surplus.
+inline constexpr std::size_t largest_with_surplus = 1024;
 
-/// The operations on a message. `message` is a Received<M>.
+/// What depends on the type of a message. All else goes by the table of the Received<M>.
 struct AnyOperations {
-  using UseViolation = void (*)(void* user, const Violation& violation);
-
   void (*construct)(void* message);
-  void (*copy)(const void* from, void* message);  ///< `from` is an M
-  bool (*equal)(const void* message, const void* other);
-  Status (*decode)(std::span<const std::uint8_t> body, void* message, const Contexts& contexts);
-  WriteResult (*encode)(const void* message, std::span<std::uint8_t> out);
+  Status (*decode)(const AnyOperations& of, std::span<const std::uint8_t> body, void* message,
+                   const Contexts& contexts);
+  WriteResult (*encode)(const AnyOperations& of, const void* message, std::span<std::uint8_t> out);
   void (*teach)(const void* message, Contexts& contexts);  ///< null if it has no such facts
-  void (*leaves)(const void* message, LeafWalk& walk);
-  bool (*validate)(const void* message, const Availability& versions, UseViolation use, void* user);
-  void (*write_json)(const void* message, TextOutput& out, Secrets secrets);
-  bool (*read_json)(JsonReader<JsonTextSource>& reader, void* message);
-  void (*set)(void* message, FieldSetter& setter);
+  const StructTable* table;
+  std::size_t size;      ///< of an M in memory, without the surplus
+  std::size_t min_size;  ///< of a body
+  bool takes_surplus;    ///< the tail of the table is surplus
 };
-
-template <class Report>
-void call_report(void* report, const Violation& violation) {
-  (*static_cast<Report*>(report))(violation);
-}
 
 }  // namespace detail
 
@@ -106,12 +99,8 @@ class AnyMessage {
 
   /// As the functions for a message of known type; after an error, the values are unspecified.
   [[nodiscard]] Status decode(std::span<const std::uint8_t> body,
-                              const Contexts& contexts = {}) noexcept {
-    return type_->operations->decode(body, memory_.get(), contexts);
-  }
-  [[nodiscard]] WriteResult encode(std::span<std::uint8_t> out) const noexcept {
-    return type_->operations->encode(memory_.get(), out);
-  }
+                              const Contexts& contexts = {}) noexcept;
+  [[nodiscard]] WriteResult encode(std::span<std::uint8_t> out) const noexcept;
   [[nodiscard]] WriteResult encode_frame(Framing framing,
                                          std::span<std::uint8_t> out) const noexcept;
   /// Stores the facts of the message that decoding later ones needs.
@@ -123,14 +112,14 @@ class AnyMessage {
   template <class Use>
   void for_each_leaf(Use&& use, const Availability& versions = {}) const {
     detail::LeafWalk walk(detail::call_user<std::remove_reference_t<Use>>, &use, versions);
-    type_->operations->leaves(memory_.get(), walk);
+    walk.members(table(), memory_.get());
   }
   /// Calls `report(const Violation&)` for every value that a board with these versions does not
   /// allow; returns true if there is none.
   template <class Report>
   bool validate(const Availability& versions, Report&& report) const {
-    return type_->operations->validate(
-        memory_.get(), versions, detail::call_report<std::remove_reference_t<Report>>, &report);
+    auto* const user = const_cast<std::remove_cvref_t<Report>*>(&report);
+    return validate(versions, detail::call_report<std::remove_reference_t<Report>>, user);
   }
 
   /// Calls `use(const Leaf&)` for the value at a path, such as "params[3].param_id". Returns false
@@ -172,9 +161,7 @@ class AnyMessage {
   /// its size. Adds what is missing on the way. Returns false if the field cannot hold the value.
   bool set(std::string_view path, const AnyValue& value) { return set(path, &value); }
 
-  void write_json(TextOutput& out, Secrets secrets = Secrets::hidden) const {
-    type_->operations->write_json(memory_.get(), out, secrets);
-  }
+  void write_json(TextOutput& out, Secrets secrets = Secrets::hidden) const;
   std::string to_json(Secrets secrets = Secrets::hidden) const;
   /// Reads the message from `text`, as from_json(). A problem leaves the message unchanged.
   JsonResult from_json(std::string_view text);
@@ -195,11 +182,11 @@ class AnyMessage {
   /// Returns the address of the message, a Received<M>.
   const void* address() const noexcept { return memory_.get(); }
 
-  friend bool operator==(const AnyMessage& a, const AnyMessage& b) noexcept {
-    return a.type_ == b.type_ && a.type_->operations->equal(a.memory_.get(), b.memory_.get());
-  }
+  friend bool operator==(const AnyMessage& a, const AnyMessage& b) noexcept;
 
  private:
+  const detail::StructTable& table() const noexcept { return *type_->operations->table; }
+  bool validate(const Availability& versions, detail::Violations::Report report, void* user) const;
   bool set(std::string_view path, const AnyValue* value);
   std::string assign(const FieldType& type, const std::string& path, std::string_view text,
                      const Availability& versions);

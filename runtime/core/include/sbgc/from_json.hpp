@@ -5,6 +5,7 @@
 #include <optional>
 #include <string_view>
 
+#include <sbgc/detail/table.hpp>
 #include <sbgc/json/problem.hpp>
 #include <sbgc/json/reader.hpp>
 #include <sbgc/json/text_source.hpp>
@@ -20,12 +21,11 @@ struct [[nodiscard]] JsonResult {
 
 namespace detail {
 
-/// Returns what `read`, a function for a reader of `text`, makes of it.
-template <class Read>
-JsonResult json_result(std::string_view text, const Read& read) {
+/// Reads a message with this table. After a problem, its values are unspecified.
+inline JsonResult read_json(std::string_view text, const StructTable& table, void* message) {
   JsonTextSource source(text);
   JsonReader<JsonTextSource> reader(source);
-  if (read(reader) && source.finish()) return {};
+  if (reader.message(table, message) && source.finish()) return {};
   // Text that is not JSON at all is the first problem.
   const char* const no_json = source.problem();
   return {JsonProblem{source.line(source.at()), source.column(source.at()),
@@ -43,7 +43,7 @@ JsonResult json_result(std::string_view text, const Read& read) {
 template <class M>
 JsonResult from_json(std::string_view text, M& message) {
   M read{};
-  JsonResult result = detail::json_result(text, [&](auto& reader) { return reader.message(read); });
+  JsonResult result = detail::read_json(text, detail::table_of<M>(), &read);
   if (result) message = read;
   return result;
 }

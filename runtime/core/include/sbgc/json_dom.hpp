@@ -156,7 +156,7 @@ inline std::string json_text(const Json& json, int indent = -1) {
 template <class M>
 Json to_dom(const M& message, Secrets secrets = Secrets::hidden) {
   detail::JsonDomSink sink;
-  detail::JsonWriter<detail::JsonDomSink>(sink, secrets).members(message);
+  detail::JsonWriter<detail::JsonDomSink>(sink, secrets).message(message);
   return sink.take();
 }
 

@@ -37,6 +37,11 @@ struct Meta<WithSurplus<M>> : Meta<M> {
   }
 };
 
+template <class M>
+struct detail::WithoutTail<WithSurplus<M>> {
+  using Type = M;
+};
+
 /// True if the bytes after M are surplus: it is the largest form of a request, has no open end, and
 /// needs no context.
 template <Message M>

@@ -66,6 +66,12 @@ struct LeafList {
   bool is_empty = true;
 };
 
+inline std::string leaves_text(const char* name, const StructTable& table, const void* message) {
+  LeafList list{name};
+  LeafWalk(call_user<LeafList>, &list).members(table, message);
+  return list.text + (list.is_empty ? "{}" : "}");
+}
+
 /// Writes a raw value or limit in its unit.
 inline void put_limit(TextOutput& out, double raw, const UnitInfo* unit) {
   if (unit == nullptr || unit->is_plain()) return put_number(out, raw);
@@ -114,10 +120,9 @@ std::string to_string(Q quantity) {
 /// Returns the text of a message or of a struct in it. Only a message begins with its name.
 template <detail::AnyStruct T>
 std::string to_string(const T& message) {
-  detail::LeafList list;
-  if constexpr (requires { Meta<T>::info; }) list.text = Meta<T>::info.name;
-  for_each_leaf(message, list);
-  return list.text + (list.is_empty ? "{}" : "}");
+  const char* name = "";
+  if constexpr (requires { Meta<T>::info; }) name = Meta<T>::info.name;
+  return detail::leaves_text(name, detail::table_of<T>(), &message);
 }
 
 /// Returns the name of the rule.

@@ -13,17 +13,48 @@
 #include <string>
 #include <string_view>
 
+#include <sbgc/detail/table.hpp>
 #include <sbgc/json/text_sink.hpp>
 #include <sbgc/json/writer.hpp>
 #include <sbgc/text_output.hpp>
 
 namespace sbgc {
 
+namespace detail {
+
+inline void put_json(TextOutput& out, const StructTable& table, const void* message,
+                     Secrets secrets) {
+  JsonTextSink sink(out);
+  JsonWriter<JsonTextSink>(sink, secrets).members(table, message);
+}
+
+inline std::string json_string(const StructTable& table, const void* message, Secrets secrets) {
+  std::string result;
+  StringOutput out(result);
+  put_json(out, table, message, secrets);
+  out.finish();
+  return result;
+}
+
+inline std::size_t json_in(std::span<char> buffer, const StructTable& table, const void* message) {
+  std::size_t size = 0;
+  const auto take = [&](std::string_view piece) {
+    const std::size_t free = size < buffer.size() ? buffer.size() - size : 0;
+    piece.substr(0, free).copy(buffer.data() + (buffer.size() - free), piece.size());
+    size += piece.size();
+  };
+  PiecewiseOutput out(take);
+  put_json(out, table, message, Secrets::hidden);
+  out.finish();
+  return size;
+}
+
+}  // namespace detail
+
 /// Writes the JSON of a message.
 template <class M>
 void write_json(const M& message, TextOutput& out, Secrets secrets = Secrets::hidden) {
-  detail::JsonTextSink sink(out);
-  detail::JsonWriter<detail::JsonTextSink>(sink, secrets).members(message);
+  detail::put_json(out, detail::table_of<M>(), &message, secrets);
 }
 
 /// Calls `take` with the JSON of a message in pieces: write_json(message, [](std::string_view) {}).
@@ -37,24 +68,14 @@ void write_json(const M& message, Take&& take, Secrets secrets = Secrets::hidden
 /// Returns the JSON of a message.
 template <class M>
 std::string to_json(const M& message, Secrets secrets = Secrets::hidden) {
-  std::string result;
-  StringOutput out(result);
-  write_json(message, static_cast<TextOutput&>(out), secrets);
-  out.finish();
-  return result;
+  return detail::json_string(detail::table_of<M>(), &message, secrets);
 }
 
 /// Writes as much of the JSON of a message as fits into `buffer`, without a final NUL and without
 /// heap. Returns the size of all of it.
 template <class M>
 std::size_t to_json(const M& message, std::span<char> buffer) {
-  std::size_t size = 0;
-  write_json(message, [&](std::string_view piece) {
-    const std::size_t free = size < buffer.size() ? buffer.size() - size : 0;
-    piece.substr(0, free).copy(buffer.data() + (buffer.size() - free), piece.size());
-    size += piece.size();
-  });
-  return size;
+  return detail::json_in(buffer, detail::table_of<M>(), &message);
 }
 
 }  // namespace sbgc

@@ -88,6 +88,8 @@ struct Bytes : std::array<std::uint8_t, n> {
 
 namespace detail {
 
+struct Places;
+
 /// Returns true for a text that readers take for one although the bytes could be something else: it
 /// is not empty, and has no control characters.
 template <class Byte>
@@ -175,6 +177,7 @@ class BoundedArray {
   }
 
  private:
+  friend struct detail::Places;
   static_assert(n <= 255, "no body holds more");
   using Room = detail::Room<T, n>;
 
@@ -284,8 +287,28 @@ class Optional {
     return value;
   }
 
+  friend struct detail::Places;
+
   T value_{};
   bool present_{};
 };
+
+namespace detail {
+
+/// Where the parts of these types are in memory.
+struct Places {
+  template <class List>
+  static consteval std::size_t of_elements() noexcept {
+    static_assert(offsetof(List, size_) == 0);
+    return offsetof(List, room_);
+  }
+  template <class Value>
+  static consteval std::size_t of_flag() noexcept {
+    static_assert(offsetof(Value, value_) == 0);
+    return offsetof(Value, present_);
+  }
+};
+
+}  // namespace detail
 
 }  // namespace sbgc

@@ -7,7 +7,9 @@
 
 #include <type_traits>
 
+#include <sbgc/detail/table.hpp>
 #include <sbgc/internal/check.hpp>
+#include <sbgc/internal/violations.hpp>
 #include <sbgc/violation.hpp>
 
 namespace sbgc {
@@ -20,9 +22,8 @@ namespace detail {
 /// Returns true if validate() would report nothing.
 template <class M>
 constexpr bool is_plainly_valid(const M& message, const Availability& versions) {
-  const NoReport none;
-  Check<const NoReport> check(versions, none);
-  check.members(message, {});
+  Check check(versions);
+  check.members(message);
   return check.passed();
 }
 
@@ -35,13 +36,13 @@ constexpr bool is_plainly_valid(const M& message, const Availability& versions) 
 /// because later firmware gives them a meaning. A value that a later version introduced is reported
 /// if it is not 0, and an optional field whenever it is present. What the board does not use, as
 /// the values of other fields say, may have any value. To check the message as a whole, use
-/// is_supported().
+/// is_supported(). In a constant expression, a message with violations does not compile.
 template <class M, class Report>
 constexpr bool validate(const M& message, const Availability& versions, Report&& report) {
   if (detail::is_plainly_valid(message, versions)) return true;
-  detail::Check<std::remove_reference_t<Report>> check(versions, report);
-  check.members(message, nullptr);
-  return check.passed();
+  auto* const user = const_cast<std::remove_cvref_t<Report>*>(&report);
+  return detail::report_violations(detail::table_of<M>(), &message, versions,
+                                   detail::call_report<std::remove_reference_t<Report>>, user);
 }
 
 /// As above, for the newest board.

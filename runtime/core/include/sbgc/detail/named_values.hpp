@@ -51,6 +51,15 @@ constexpr void for_each_name(const EnumInfo& info, std::uint64_t raw, Visitor&& 
   }
 }
 
+template <class Visitor>
+constexpr void for_each_name(const PackedInfo& info, std::uint64_t raw, Visitor&& visitor) {
+  for (const PartInfo& part : info.parts) {
+    if (part.values == nullptr) continue;
+    const std::uint64_t bits = raw & part.mask;
+    for_each_name(*part.values, part.values->is_flags ? bits : bits >> part.shift, visitor);
+  }
+}
+
 /// The same for a value; in a packed one, for each part.
 template <class T, class Visitor>
 constexpr void for_each_name(const T& value, Visitor&& visitor) {

@@ -1,21 +1,19 @@
 /// Reads a message from a source of JSON: text, or values of a library.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
-#include <type_traits>
-#include <utility>
 
+#include <sbgc/detail/table_access.hpp>
 #include <sbgc/field_path.hpp>
 #include <sbgc/internal/compiler.hpp>
-#include <sbgc/internal/walk.hpp>
 #include <sbgc/json/problem.hpp>
 #include <sbgc/json/tokens.hpp>
 #include <sbgc/json/values.hpp>
@@ -33,7 +31,6 @@ namespace sbgc::detail {
 template <class Source>
 class JsonReader {
  public:
-  using Place = PathPlace;
   using Scope = typename Source::Scope;
 
   explicit JsonReader(Source& source) : source_(source) {}
@@ -41,230 +38,174 @@ class JsonReader {
   /// Returns false if the source does not describe an M.
   template <class M>
   bool message(M& out) {
-    members(out, nullptr);
+    return message(table_of<M>(), &out);
+  }
+  /// The same for a message with this table.
+  bool message(const StructTable& table, void* out) {
+    object(nullptr, table, out);
+    if (ok() && counters_ != 0) check_counters(table, out);
     return ok();
   }
 
   const std::string& field() const { return field_; }
   const std::string& reason() const { return reason_; }
 
-  // The handlers of the walk.
-
-  template <class T>
-  void scalar(T& out, const Place& place) {
-    using Raw = RawOf<T>;
-    using Limits = std::numeric_limits<Raw>;
-    Raw raw{};
-    if constexpr (std::is_floating_point_v<Raw>) {
-      real(raw, place.path);
-    } else if constexpr (is_integer24<T>) {
-      raw = static_cast<Raw>(integer(Integer24<Raw>::lowest, Integer24<Raw>::highest, place.path));
-    } else if constexpr (sizeof(Raw) == 8) {
-      decimal(raw, place.path);
-    } else {
-      raw = static_cast<Raw>(integer(Limits::min(), Limits::max(), place.path));
+ private:
+  void value(const FieldInfo& field, const ValueType& type, void* out, const FieldPath& path) {
+    switch (type.kind) {
+      case Kind::scalar:
+        if (type.raw > RawType::i32) return other(type.raw, out, path);
+        return store_number(type.raw, out, integer(limits_of(type.raw), path));
+      case Kind::axes:
+      case Kind::group: return object(&path, *type.group, out);
+      case Kind::array:
+      case Kind::list: return list(field, type, out, path);
+      case Kind::bytes: return bytes(type, out, path);
+      case Kind::text: return text(field, type, out, path);
+      case Kind::optional:
+        set_present(type, out, true);
+        return value(field, *type.element, out, path);
+      case Kind::counter:
+        // A list comes after its counter, so they are compared once the whole message has been
+        // read.
+        announced_ = integer(limits_of(RawType::u8), path);
+        if (path.parent == nullptr) announce(field.name);
+        return;
+      case Kind::number: return number(out, path);
     }
-    out = static_cast<T>(raw);
   }
-  void counter(Counter&, const Place& place) {
-    // A list comes after its counter, so they are compared once the whole message has been read.
-    announced_ = integer(0, std::numeric_limits<std::uint8_t>::max(), place.path);
+  /// Reads a number that is not an integer of at most 32 bits.
+  void other(RawType type, void* out, const FieldPath& path) {
+    switch (type) {
+      case RawType::u64: return store(out, decimal<std::uint64_t>(path));
+      case RawType::i64: return store(out, decimal<std::int64_t>(path));
+      case RawType::f32: return store(out, real<float>(path));
+      default: return store(out, real<double>(path));
+    }
   }
-  void number(Number& out, const Place& place) {
+  void number(void* out, const FieldPath& path) {
     constexpr const char* needed = "an object with the type, such as {\"i16\": -5}, is needed";
-    if (!source_.is_object()) return fail(place.path, needed);
+    if (!source_.is_object()) return fail(path, needed);
     Scope scope = source_.enter();
     JsonString key;
-    if (!source_.next(scope, key)) return fail(place.path, needed);
-    const auto as = [&]<class T>(NumberType type, T number) {
-      if (!(key == name(type))) return false;
-      scalar(number, Place(place, name(type), 0));
-      out = {type, 0};
-      if constexpr (std::is_same_v<T, float>) {
-        out.bits = std::bit_cast<std::uint32_t>(number);
-      } else {
-        out.bits = static_cast<std::make_unsigned_t<T>>(number);
-      }
-      return true;
-    };
-    const bool known = as(NumberType::u8, std::uint8_t{}) || as(NumberType::i8, std::int8_t{}) ||
-                       as(NumberType::u16, std::uint16_t{}) ||
-                       as(NumberType::i16, std::int16_t{}) ||
-                       as(NumberType::u32, std::uint32_t{}) ||
-                       as(NumberType::i32, std::int32_t{}) || as(NumberType::f32, float{});
-    if (ok() && (!known || source_.next(scope, key))) fail(place.path, needed);
-  }
-  template <class T>
-  void bytes(T& out, const Place& place) {
-    if constexpr (is_bounded<T>) {
-      out.resize(T::capacity());
-      const std::size_t size = hex({out.data(), out.size()}, place.path);
-      if (!out.resize(size)) fail_size(place.path, size, " bytes", T::capacity());
-    } else {
-      if (hex(out, place.path) != out.size()) {
-        fail(place.path, out.size(), " bytes of hex are needed");
-      }
+    if (!source_.next(scope, key)) return fail(path, needed);
+    Number number;
+    for (const NumberType type : {NumberType::u8, NumberType::i8, NumberType::u16, NumberType::i16,
+                                  NumberType::u32, NumberType::i32, NumberType::f32}) {
+      if (key == name(type)) number.type = type;
     }
-  }
-  template <class T>
-  void text(T& out, const Place& place) {
-    std::array<char, T::capacity()> bytes{};
-    const std::size_t size = characters(bytes, place.path);
-    if (size > bytes.size()) return fail_size(place.path, size, " bytes", bytes.size());
-    if (place.field.secret && std::string_view(bytes.data(), size) == hidden_text) {
-      return fail(place.path, "it is hidden; the secret itself is needed");
+    const bool known = number.type != NumberType::none;
+    const FieldPath inner{&path, name(number.type)};
+    if (number.type == NumberType::f32) {
+      number.bits = std::bit_cast<std::uint32_t>(real<float>(inner));
+    } else if (known) {
+      const std::uint64_t mask = ~std::uint64_t{0} >> (64 - 8 * size_of(number.type));
+      const std::int64_t value = integer(limits_of(raw_of_number(number.type)), inner);
+      number.bits = static_cast<std::uint32_t>(static_cast<std::uint64_t>(value) & mask);
     }
-    out.assign(std::string_view(bytes.data(), size));
+    store(out, number);
+    if (ok() && (!known || source_.next(scope, key))) fail(path, needed);
   }
-  template <class T>
-  void list(T& out, const Place& place) {
-    const auto put = [&](std::size_t index) {
-      return out.resize(index + 1) ? &out[index] : nullptr;
-    };
-    const std::size_t size = elements<typename T::value_type>(put, place);
-    if (size > T::capacity()) fail_size(place.path, size, " elements", T::capacity());
+  void bytes(const ValueType& type, void* out, const FieldPath& path) {
+    auto* const begin = static_cast<std::uint8_t*>(moved(out, type.begin));
+    const std::size_t size = hex({begin, type.count}, path);
+    if (resize(type, out, size)) return;
+    if (type.is_bounded) return fail_size(path, size, " bytes", type.count);
+    fail(path, type.count, " bytes of hex are needed");
   }
-  template <class T>
-  void array(T& out, const Place& place) {
-    const std::size_t n = out.size();
-    const auto put = [&](std::size_t index) { return index < n ? &out[index] : nullptr; };
-    if (elements<ElementOf<T>>(put, place) != n) fail(place.path, "a list of ", n, " is needed");
+  void text(const FieldInfo& field, const ValueType& type, void* out, const FieldPath& path) {
+    auto* const begin = static_cast<char*>(moved(out, type.begin));
+    const std::size_t size = characters({begin, type.count}, path);
+    if (size > type.count) return fail_size(path, size, " bytes", type.count);
+    if (field.secret && std::string_view(begin, size) == hidden_text) {
+      return fail(path, "it is hidden; the secret itself is needed");
+    }
+    if (type.is_bounded) return static_cast<void>(resize(type, out, size));
+    std::fill(begin + size, begin + type.count, '\0');
   }
-  template <class T>
-  void axes(T& out, const Place& place) {
-    members(out, &place.path);
-  }
-  template <class T>
-  void optional(T& out, const Place& place) {
-    walk(out.emplace(), place, *this);
-  }
-  template <class T>
-  void group(T& out, const Place& place) {
-    members(out, &place.path);
+  void list(const FieldInfo& field, const ValueType& type, void* out, const FieldPath& path) {
+    if (!source_.is_list()) return fail(path, "a list is needed");
+    std::size_t size = 0;
+    Scope scope = source_.enter();
+    for (; ok() && source_.next(scope); ++size) {
+      // Those for which there is no place are checked, too: in the last place.
+      const std::size_t place = std::min<std::size_t>(size, type.count - 1U);
+      if (type.is_bounded) resize(type, out, place + 1);
+      value(field, *type.element, element_at(type, out, place), FieldPath{&path, "", size});
+    }
+    if (type.is_bounded && size > type.count) fail_size(path, size, " elements", type.count);
+    if (!type.is_bounded && size != type.count) {
+      fail(path, "a list of ", type.count, " is needed");
+    }
   }
 
- private:
   /// Reads the members of an object. Each pass over them reads those that follow each other in the
   /// source. Text in wire order needs one.
-  ///
-  /// What depends on the type of a member is as little as possible, because it is compiled for each
-  /// of them.
   struct Members {
-    JsonReader& reader;
     const FieldPath* parent = nullptr;
     Scope scope{};
     JsonString key{};
-    bool has_key = false;      // of a member that is not read yet
-    bool has_read = false;     // a member in this pass
-    bool has_unread = false;   // a member without a value, passed while there was a key
-    bool is_checking = false;  // only the counters
-    std::size_t index = 0;
+    bool has_key = false;                 // of a member that is not read yet
+    bool has_read = false;                // a member in this pass
+    bool has_unread = false;              // a member without a value, passed while there was a key
     std::array<std::uint64_t, 4> read{};  // a bit for each member
-
-    void start_pass() {
-      index = 0;
-      has_read = false;
-      has_unread = false;
-    }
-    void take_key() { has_key = reader.source_.next(scope, key); }
-
-    template <class Member>
-    SBGC_NOINLINE void operator()(const FieldInfo& field, Member&& member) {
-      constexpr Kind kind = kind_of<std::remove_cvref_t<Member>>;
-      if constexpr (kind == Kind::counter) {
-        if (is_checking) reader.check(field, member);
-      }
-      if (is_checking) return;
-      const Place place(field, parent);
-      // Counters are implied by their lists, and tails are rare. Everything else is required: a
-      // parameter omitted by mistake would be overwritten with 0.
-      const bool may_be_missing = kind == Kind::optional || kind == Kind::counter || field.optional;
-      if (!is_next(place.path, may_be_missing)) return;
-      walk(member, place, reader);
-      if constexpr (kind == Kind::counter) {
-        if (parent == nullptr) reader.announce(field.name);
-      }
-      if (reader.ok()) take_key();
-    }
-
-    /// Returns true if the value of this member is next in the source.
-    SBGC_NOINLINE bool is_next(const FieldPath& path, bool may_be_missing) {
-      std::uint64_t& word = read[index / 64];
-      const std::uint64_t bit = std::uint64_t{1} << index % 64;
-      const bool is_known = (word & bit) != 0;
-      ++index;
-      if (!reader.ok()) return false;
-      if (has_key && key == path.name) {
-        if (is_known) reader.fail(path, "occurs twice");
-        word |= bit;
-        has_read = true;
-        return !is_known;
-      }
-      if (is_known) return false;
-      has_unread = has_unread || has_key;
-      if (!has_key && !may_be_missing) reader.fail(path, "it is missing");
-      return false;
-    }
   };
 
-  template <class T>
-  void members(T& out, const FieldPath* path) {
-    if constexpr (requires { Meta<T>::fields; }) {
-      static_assert(std::size(Meta<T>::fields) < 8 * sizeof Members::read, "and a tail");
+  void member(Members& members, std::size_t index, const FieldInfo& field, const ValueType& type,
+              void* out) {
+    std::uint64_t& word = members.read[index / 64];
+    const std::uint64_t bit = std::uint64_t{1} << index % 64;
+    const bool is_known = (word & bit) != 0;
+    const FieldPath path{members.parent, field.name};
+    if (members.has_key && members.key == field.name) {
+      if (is_known) return fail(path, "occurs twice");
+      word |= bit;
+      members.has_read = true;
+      value(field, type, out, path);
+      if (ok()) members.has_key = source_.next(members.scope, members.key);
+      return;
     }
-    object(path, &out, visit_object<T>);
+    if (is_known) return;
+    members.has_unread = members.has_unread || members.has_key;
+    // Counters are implied by their lists, and tails are rare. Everything else is required: a
+    // parameter omitted by mistake would be overwritten with 0.
+    const bool may_be_missing =
+        type.kind == Kind::optional || type.kind == Kind::counter || field.optional;
+    if (!members.has_key && !may_be_missing) fail(path, "it is missing");
   }
-  // Not a lambda: compilers make two functions of one that becomes a pointer.
-  template <class T>
-  static void visit_object(void* object, Members& members) {
-    Meta<T>::visit(*static_cast<T*>(object), members);
-  }
-  SBGC_NOINLINE void object(const FieldPath* path, void* out,
-                            void (*visit)(void* object, Members& members)) {
+
+  void object(const FieldPath* path, const StructTable& table, void* out) {
     constexpr const char* needed = "an object is needed";
     if (!source_.is_object()) return path != nullptr ? fail(*path, needed) : fail_at_all(needed);
-    Members members{*this, path, source_.enter()};
-    members.take_key();
+    Members members{path, source_.enter()};
+    members.has_key = source_.next(members.scope, members.key);
     do {
-      members.start_pass();
-      visit(out, members);
+      members.has_read = false;
+      members.has_unread = false;
+      std::size_t index = 0;
+      for (const Slot& slot : table.slots) {
+        member(members, index, table.fields[index], *slot.type, moved(out, slot.offset));
+        if (!ok()) return;
+        ++index;
+      }
+      if (table.tail.type != nullptr) {
+        member(members, index, tail_field, *table.tail.type, moved(out, table.tail.offset));
+      }
       if (!ok()) return;
       if (members.has_key && !members.has_read) {
         const std::string key = shortened(to_string(members.key));
         return fail(FieldPath{path, key.empty() ? "''" : key.c_str()}, "unknown");
       }
     } while (members.has_key || members.has_unread);
-    if (path != nullptr || counters_ == 0) return;
-    members.is_checking = true;
-    visit(out, members);
-  }
-
-  /// Reads elements to where `put(index)` says, and checks those for which there is no place.
-  /// Returns their number.
-  template <class T, class Put>
-  std::size_t elements(const Put& put, const Place& place) {
-    std::size_t size = 0;
-    if (!source_.is_list()) {
-      fail(place.path, "a list is needed");
-      return size;
-    }
-    Scope scope = source_.enter();
-    for (; ok() && source_.next(scope); ++size) {
-      T extra{};
-      T* const to = put(size);
-      walk(to != nullptr ? *to : extra, Place(place, "", size), *this);
-    }
-    return size;
   }
 
   /// Returns an integer in a range; 0 after an error.
-  SBGC_NOINLINE std::int64_t integer(std::int64_t lowest, std::int64_t highest,
-                                     const FieldPath& path) {
+  std::int64_t integer(const RawLimits& limits, const FieldPath& path) {
     JsonInteger number;
     if (!source_.integer(number)) {
       fail(path, "an integer is needed");
-    } else if (number.value < lowest || number.value > highest) {
-      fail(path, number.text, " does not fit: ", lowest, " to ", highest);
+    } else if (number.value < limits.lowest || number.value > limits.highest) {
+      fail(path, number.text, " does not fit: ", limits.lowest, " to ", limits.highest);
     } else {
       return number.value;
     }
@@ -272,24 +213,26 @@ class JsonReader {
   }
   /// Reads an integer of 64 bits, which is text.
   template <class T>
-  void decimal(T& out, const FieldPath& path) {
+  T decimal(const FieldPath& path) {
+    T out{};
     const ShortText text = short_text();
     const auto [end, error] = std::from_chars(text.begin(), text.end(), out);
     if (!text.is_text || error != std::errc{} || end != text.end()) {
       fail(path, "a string with an integer of 64 bits is needed");
     }
+    return out;
   }
   template <class Float>
-  void real(Float& out, const FieldPath& path) {
+  Float real(const FieldPath& path) {
     double number = 0;
     if (source_.real(number)) {
-      out = static_cast<Float>(number);
-      if (is_finite(out)) return;
+      const auto out = static_cast<Float>(number);
+      if (is_finite(out)) return out;
     } else if (const auto named = float_of_name<Float>(short_text().view())) {
-      out = *named;
-      return;
+      return *named;
     }
     fail(path, "a number is needed");
+    return 0;
   }
 
   /// A string; "" if the value is another one, or is too long for a number.
@@ -364,13 +307,18 @@ class JsonReader {
   void announce(const char* name) {
     if (counters_ < counted_.size()) counted_[counters_++] = {name, announced_};
   }
-  /// Compares an announced counter with the size of its list.
-  void check(const FieldInfo& field, const Counter& counter) {
-    for (const Announced& announced : counted_) {
-      if (announced.name != field.name) continue;
-      if (announced.count == static_cast<std::int64_t>(counter.count)) continue;
-      const FieldPath path{nullptr, field.name};
-      fail(path, announced.count, " is announced, but there are ", counter.count);
+  /// Compares the announced counters with the sizes of their lists.
+  void check_counters(const StructTable& table, const void* message) {
+    const FieldInfo* field = table.fields;
+    for (const Slot& slot : table.slots) {
+      const FieldPath path{nullptr, (field++)->name};
+      if (slot.type->kind != Kind::counter) continue;
+      const std::size_t count = counted(*slot.type, moved(message, slot.offset));
+      for (const Announced& announced : counted_) {
+        if (announced.name != path.name) continue;
+        if (announced.count == static_cast<std::int64_t>(count)) continue;
+        fail(path, announced.count, " is announced, but there are ", count);
+      }
     }
   }
 

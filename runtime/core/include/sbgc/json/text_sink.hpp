@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <limits>
 #include <span>
 #include <string_view>
@@ -121,11 +122,19 @@ class JsonTextSink {
   void end_object() { end('}'); }
   void begin_list() { begin('['); }
   void end_list() { end(']'); }
+  /// Names are short, and need no escapes.
   SBGC_NOINLINE void key(const char* name) {
-    out_.put(is_first_ ? std::string_view("\"") : std::string_view(",\""));
+    const std::size_t size = std::char_traits<char>::length(name);
+    char* at = out_.room(size + 4);
+    *at = ',';
+    at += is_first_ ? 0 : 1;
     is_first_ = false;
-    out_.put(name);
-    out_.put("\":");
+    *at++ = '"';
+    std::memcpy(at, name, size);
+    at += size;
+    *at++ = '"';
+    *at++ = ':';
+    out_.advance(at);
   }
   void element() {
     if (!is_first_) out_.put(',');

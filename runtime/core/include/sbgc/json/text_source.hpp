@@ -1,6 +1,7 @@
 /// JSON text, read value by value.
 #pragma once
 
+#include <array>
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
@@ -153,7 +154,7 @@ class JsonTextSource {
   bool scan_string(JsonString& out) {
     const char* const start = ++at_;
     out.has_escapes = false;
-    for (; at_ != end_ && *at_ != '"';) {
+    for (skip_plain(); at_ != end_ && *at_ != '"'; skip_plain()) {
       const auto byte = static_cast<std::uint8_t>(*at_);
       if (byte == '\\') {
         out.has_escapes = true;
@@ -162,16 +163,25 @@ class JsonTextSource {
         const std::size_t size = utf8_length(rest());
         if (size == 0) return false;
         at_ += size;
-      } else if (byte < ' ') {
-        return false;
       } else {
-        ++at_;
+        return false;
       }
     }
     if (at_ == end_) return false;
     out.raw = {start, static_cast<std::size_t>(at_ - start)};
     ++at_;
     return true;
+  }
+  /// Skips characters of a string that need no attention: nearly all.
+  void skip_plain() {
+    static constexpr auto plain = [] {
+      std::array<bool, 256> result{};
+      for (std::size_t c = ' '; c < 0x80; ++c) result[c] = c != '"' && c != '\\';
+      return result;
+    }();
+    const char* at = at_;
+    while (at != end_ && plain[static_cast<std::uint8_t>(*at)]) ++at;
+    at_ = at;
   }
   bool scan_escape() {
     ++at_;

@@ -4,14 +4,13 @@
 /// are strings, missing optional members are omitted.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string_view>
-#include <type_traits>
 
-#include <sbgc/internal/walk.hpp>
+#include <sbgc/detail/table_access.hpp>
+#include <sbgc/internal/compiler.hpp>
 #include <sbgc/json/values.hpp>
 #include <sbgc/meta.hpp>
 #include <sbgc/number.hpp>
@@ -25,34 +24,65 @@ namespace sbgc::detail {
 template <class Sink>
 class JsonWriter {
  public:
-  using Place = FieldPlace;
-
   explicit JsonWriter(Sink& sink, Secrets secrets) : sink_(sink), secrets_(secrets) {}
 
   template <class T>
-  void members(const T& value) {
+  void message(const T& value) {
+    members(table_of<T>(), &value);
+  }
+  /// The same for a message with this table.
+  void members(const StructTable& table, const void* object) {
     sink_.begin_object();
-    Meta<T>::visit(value, Adder{*this});
+    const FieldInfo* field = table.fields;
+    for (const Slot& slot : table.slots) {
+      member(*field++, *slot.type, moved(object, slot.offset));
+    }
+    if (table.tail.type != nullptr) {
+      const void* const tail = moved(object, table.tail.offset);
+      if (size_at(*table.tail.type, tail) != 0) member(tail_field, *table.tail.type, tail);
+    }
     sink_.end_object();
   }
 
-  // The handlers of the walk.
+ private:
+  SBGC_ALWAYS_INLINE void member(const FieldInfo& field, const ValueType& type, const void* at) {
+    const bool is_optional = type.kind == Kind::optional;
+    if (is_optional && !is_present(type, at)) return;
+    sink_.key(field.name);
+    value(field, is_optional ? *type.element : type, at);
+  }
 
-  template <class T>
-  void scalar(const T& value, const Place&) {
-    const auto raw = raw_of(value);
-    if constexpr (std::is_floating_point_v<RawOf<T>>) {
-      real(raw);
-    } else if constexpr (sizeof raw == 8) {
-      sink_.decimal(raw);  // as text, because many readers of JSON round it
-    } else {
-      sink_.integer(raw);
+  SBGC_ALWAYS_INLINE void value(const FieldInfo& field, const ValueType& type, const void* at) {
+    // Most values are integers, which should not pay for the rest.
+    if (type.kind != Kind::scalar || type.raw > RawType::i32) return other(field, type, at);
+    const std::int64_t number = load_integer(type.raw, at);
+    if (is_signed(type.raw)) return sink_.integer(number);
+    sink_.integer(static_cast<std::uint64_t>(number));
+  }
+  SBGC_NOINLINE void other(const FieldInfo& field, const ValueType& type, const void* at) {
+    switch (type.kind) {
+      case Kind::scalar: return scalar(type.raw, at);
+      case Kind::axes:
+      case Kind::group: return members(*type.group, at);
+      case Kind::array:
+      case Kind::list: return list(field, type, at);
+      case Kind::bytes:
+      case Kind::text: return chars(field, type, at);
+      case Kind::counter: return sink_.integer(static_cast<std::uint32_t>(counted(type, at)));
+      case Kind::number: return number(load<Number>(at));
+      case Kind::optional: return value(field, *type.element, at);
     }
   }
-  void counter(const Counter& counter, const Place&) {
-    sink_.integer(static_cast<std::uint32_t>(counter.count));
+  void scalar(RawType type, const void* at) {
+    switch (type) {
+      // As text, because many readers of JSON round them.
+      case RawType::u64: return sink_.decimal(load<std::uint64_t>(at));
+      case RawType::i64: return sink_.decimal(load<std::int64_t>(at));
+      case RawType::f32: return real(load<float>(at));
+      default: return real(load<double>(at));
+    }
   }
-  void number(const Number& number, const Place&) {
+  void number(const Number& number) {
     sink_.begin_object();
     sink_.key(name(number.type));
     if (number.type == NumberType::f32) {
@@ -62,63 +92,22 @@ class JsonWriter {
     }
     sink_.end_object();
   }
-  template <class T>
-  void bytes(const T& bytes, const Place& place) {
-    if (hides(place.field, bytes.size())) return sink_.word(hidden_text);
-    sink_.hex(std::span(bytes.data(), bytes.size()));
+  void chars(const FieldInfo& field, const ValueType& type, const void* at) {
+    const std::size_t size = size_at(type, at);
+    const void* const begin = moved(at, type.begin);
+    const bool is_hidden = field.secret && size != 0 && secrets_ == Secrets::hidden;
+    if (is_hidden) return sink_.word(hidden_text);
+    if (type.kind == Kind::text) return sink_.text({static_cast<const char*>(begin), size});
+    sink_.hex(std::span(static_cast<const std::uint8_t*>(begin), size));
   }
-  template <class T>
-  void text(const T& text, const Place& place) {
-    if (hides(place.field, text.size())) return sink_.word(hidden_text);
-    sink_.text({text.data(), text.size()});
-  }
-  template <class T>
-  void list(const T& list, const Place& place) {
+  void list(const FieldInfo& field, const ValueType& type, const void* at) {
     sink_.begin_list();
-    for (const auto& element : list) {
+    const std::size_t size = size_at(type, at);
+    for (std::size_t i = 0; i < size; ++i) {
       sink_.element();
-      walk(element, place, *this);
+      value(field, *type.element, element_at(type, at, i));
     }
     sink_.end_list();
-  }
-  template <class T>
-  void array(const T& array, const Place& place) {
-    list(array, place);
-  }
-  template <class T>
-  void axes(const T& axes, const Place&) {
-    members(axes);
-  }
-  template <class T>
-  void optional(const T& optional, const Place& place) {
-    walk(*optional, place, *this);
-  }
-  template <class T>
-  void group(const T& value, const Place&) {
-    members(value);
-  }
-
- private:
-  // Not a lambda: that would be a distinct type for each T.
-  struct Adder {
-    JsonWriter& writer;
-
-    template <class T>
-    void operator()(const FieldInfo& field, const T& member) const {
-      // Missing members and an empty tail are omitted.
-      if constexpr (kind_of<T> == Kind::optional) {
-        if (!member) return;
-      }
-      if constexpr (kind_of<T> == Kind::bytes) {
-        if (&field == &tail_field && member.size() == 0) return;
-      }
-      writer.sink_.key(field.name);
-      walk(member, Place(field, {}), writer);
-    }
-  };
-
-  bool hides(const FieldInfo& field, std::size_t size) const {
-    return field.secret && size != 0 && secrets_ == Secrets::hidden;
   }
 
   /// JSON has no infinities and NaN; they are words.

@@ -10,10 +10,10 @@
 #include <type_traits>
 #include <vector>
 
-#include <sbgc/detail/walk_members.hpp>
+#include <sbgc/detail/table_access.hpp>
 #include <sbgc/field_path.hpp>
-#include <sbgc/internal/scalar_info.hpp>
 #include <sbgc/meta.hpp>
+#include <sbgc/meta/variables.hpp>
 #include <sbgc/text/values.hpp>
 
 namespace sbgc {
@@ -189,122 +189,115 @@ inline std::string to_string(const FieldPath& path) {
 
 namespace detail {
 
-/// Iterates over the values in wire order. Instantiates functions per type of member, not per
-/// member of each message or per use, because code size matters: the reference site downloads this
-/// code.
+/// Iterates over the values in wire order.
 class LeafWalk {
  public:
   using Use = void (*)(void* user, const Leaf& leaf);
-  using Place = PathPlace;
-  static constexpr bool is_inlined = false;
 
   LeafWalk(Use use, void* user, const Availability& versions = {})
       : use_(use), user_(user), versions_(versions) {}
 
-  template <class T>
-  SBGC_NOINLINE void members(const T& value, const FieldPath* parent) {
-    walk_members(value, parent, *this);
+  void members(const StructTable& table, const void* object, const FieldPath* parent = nullptr) {
+    const VariableInfo* variable = nullptr;  // the one that the last VariableId names, or null
+    const FieldInfo* field = table.fields;
+    for (const Slot& slot : table.slots) {
+      const void* const at = moved(object, slot.offset);
+      const FieldPath path{parent, field->name};
+      if (slot.type->is_variable_id) variable = find_variable(load<msg::VariableId>(at));
+      if (field->is_variable_value && variable != nullptr && is_plain_integer(*slot.type)) {
+        scalar(*field, *slot.type, at, path, {.unit = &variable->unit}, variable->later);
+      } else {
+        value(*field, *slot.type, at, path);
+      }
+      ++field;
+    }
+    if (table.tail.type == nullptr) return;
+    const void* const tail = moved(object, table.tail.offset);
+    if (size_at(*table.tail.type, tail) == 0) return;
+    value(tail_field, *table.tail.type, tail, FieldPath{parent, tail_field.name});
   }
 
-  // The handlers of the walk.
-
-  template <class T>
-  SBGC_NOINLINE void scalar(const T& value, const Place& place) {
-    using Raw = RawOf<T>;
-    ScalarInfo info = scalar_info<T>();
-    const LaterMeaning* assumed = nullptr;
-    if (!place.field.later.empty()) assumed = change(info, place.field.later);
-    if (info.unit != nullptr) info.unit = unit_in_force(*info.unit, place);
-    if constexpr (std::is_floating_point_v<Raw>) {
-      add({.path = place.path,
-           .field = place.field,
-           .kind = LeafKind::real,
-           .real = static_cast<double>(raw_of(value)),
-           .unit = info.unit,
-           .assumed_before = assumed,
-           .size = wire_size<T>});
-    } else {
-      integer(static_cast<std::int64_t>(raw_of(value)), place, wire_size<T>, info,
-              std::is_same_v<Raw, std::uint64_t>, assumed);
+ private:
+  void value(const FieldInfo& field, const ValueType& type, const void* at, const FieldPath& path) {
+    switch (type.kind) {
+      case Kind::scalar: return scalar(field, type, at, path, type.meaning, field.later);
+      case Kind::axes: return axes(field, type, at, path);
+      case Kind::group: return members(*type.group, at, &path);
+      case Kind::array:
+      case Kind::list: return list(field, type, at, path);
+      case Kind::bytes:
+      case Kind::text: return chars(field, type, at, path);
+      case Kind::counter:
+        return add({.path = path,
+                    .field = field,
+                    .kind = LeafKind::counter,
+                    .integer = static_cast<std::int64_t>(counted(type, at)),
+                    .size = type.wire});
+      case Kind::number: return number(field, load<Number>(at), path);
+      case Kind::optional:
+        if (is_present(type, at)) value(field, *type.element, at, path);
+        return;
     }
   }
-  template <class T>
-  void variable(T value, const VariableInfo& variable, const Place& place) {
-    ScalarInfo info{.unit = &variable.unit};
-    const LaterMeaning* assumed = nullptr;
-    if (!variable.later.empty()) assumed = change(info, variable.later);
-    integer(static_cast<std::int64_t>(value), place, wire_size<T>, info, false, assumed);
+  void axes(const FieldInfo& field, const ValueType& type, const void* at, const FieldPath& path) {
+    for (std::size_t i = 0; i < type.count; ++i) {
+      value(field, *type.element, element_at(type, at, i),
+            FieldPath{&path, type.group->fields[i].name, i});
+    }
   }
-  void counter(const Counter& counter, const Place& place) {
-    add({.path = place.path,
-         .field = place.field,
-         .kind = LeafKind::counter,
-         .integer = static_cast<std::int64_t>(counter.count),
-         .size = wire_size<std::uint8_t>});
+  void list(const FieldInfo& field, const ValueType& type, const void* at, const FieldPath& path) {
+    const std::size_t size = size_at(type, at);
+    for (std::size_t i = 0; i < size; ++i) {
+      value(field, *type.element, element_at(type, at, i), FieldPath{&path, "", i});
+    }
   }
-  void number(const Number& number, const Place& place) {
+  void scalar(const FieldInfo& field, const ValueType& type, const void* at, const FieldPath& path,
+              ScalarInfo info, std::span<const LaterMeaning> later) {
+    const LaterMeaning* const assumed = later.empty() ? nullptr : change(info, later);
+    if (info.unit != nullptr && field.alternative != nullptr) {
+      info.unit = selected_unit(*info.unit, *field.alternative, path);
+    }
+    const bool is_number = is_real(type.raw);
+    const std::int64_t raw = is_number ? 0 : load_integer(type.raw, at);
+    // Only a flag set or a packed value can select the unit of a later value.
+    if (info.names != nullptr || info.packed != nullptr) remember(raw, path);
+    add({.path = path,
+         .field = field,
+         .kind = is_number ? LeafKind::real : LeafKind::integer,
+         .integer = raw,
+         .is_u64 = type.raw == RawType::u64,
+         .real = is_number ? load_real(type.raw, at) : 0,
+         .unit = info.unit,
+         .names = info.names,
+         .packed = info.packed,
+         .assumed_before = assumed,
+         .size = type.wire});
+  }
+  void number(const FieldInfo& field, const Number& number, const FieldPath& path) {
     const bool is_real = number.type == NumberType::f32;
-    add({.path = place.path,
-         .field = place.field,
+    add({.path = path,
+         .field = field,
          .kind = is_real ? LeafKind::real : LeafKind::integer,
          .integer = is_real ? 0 : number.integer(),
          .real = is_real ? static_cast<double>(number.real()) : 0,
          .announced = number.type,
          .size = size_of(number.type)});
   }
-  template <class T>
-  void bytes(const T& bytes, const Place& place) {
-    if (&place.field == &tail_field && bytes.size() == 0) return;
-    add({.path = place.path,
-         .field = place.field,
-         .kind = LeafKind::bytes,
-         .bytes = {bytes.data(), bytes.size()},
-         .size = bytes.size()});
-  }
-  template <class T>
-  void text(const T& text, const Place& place) {
-    add({.path = place.path,
-         .field = place.field,
+  void chars(const FieldInfo& field, const ValueType& type, const void* at, const FieldPath& path) {
+    const std::size_t size = size_at(type, at);
+    const void* const begin = moved(at, type.begin);
+    if (type.kind == Kind::bytes) {
+      return add({.path = path,
+                  .field = field,
+                  .kind = LeafKind::bytes,
+                  .bytes = {static_cast<const std::uint8_t*>(begin), size},
+                  .size = size});
+    }
+    add({.path = path,
+         .field = field,
          .kind = LeafKind::text,
-         .text = {text.data(), text.size()},
-         .size = is_bounded<T> ? 1 + text.size() : T::capacity()});
-  }
-  template <class T>
-  SBGC_NOINLINE void list(const T& list, const Place& place) {
-    walk_list(list, place, *this);
-  }
-  template <class T>
-  SBGC_NOINLINE void array(const T& array, const Place& place) {
-    walk_list(array, place, *this);
-  }
-  template <class T>
-  SBGC_NOINLINE void axes(const T& axes, const Place& place) {
-    walk_axes(axes, place, *this);
-  }
-  template <class T>
-  void optional(const T& optional, const Place& place) {
-    if (optional) walk(*optional, place, *this);
-  }
-  template <class T>
-  void group(const T& value, const Place& place) {
-    members(value, place.parent());
-  }
-
- private:
-  void integer(std::int64_t raw, const Place& place, std::size_t size, const ScalarInfo& info,
-               bool is_u64, const LaterMeaning* assumed_before) {
-    // Only a flag set or a packed value can select the unit of a later value.
-    if (info.names != nullptr || info.packed != nullptr) remember(raw, place.path);
-    add({.path = place.path,
-         .field = place.field,
-         .kind = LeafKind::integer,
-         .integer = raw,
-         .is_u64 = is_u64,
-         .unit = info.unit,
-         .names = info.names,
-         .packed = info.packed,
-         .assumed_before = assumed_before,
-         .size = size});
+         .text = {static_cast<const char*>(begin), size},
+         .size = type.is_bounded ? 1 + size : type.count});
   }
   /// Changes what a value means to what it does on the board. Returns the meaning before which that
   /// is, if the firmware is not known.
@@ -341,14 +334,11 @@ class LeafWalk {
     }
   }
 
-  const UnitInfo* unit_in_force(const UnitInfo& usual, const Place& place) const {
-    return place.field.alternative == nullptr ? &usual : selected_unit(usual, place);
-  }
-  const UnitInfo* selected_unit(const UnitInfo& usual, const Place& place) const {
-    const AlternativeUnit& other = *place.field.alternative;
+  const UnitInfo* selected_unit(const UnitInfo& usual, const AlternativeUnit& other,
+                                const FieldPath& path) const {
     for (const UnitSource& number : numbers_) {
       if (number.name != std::string_view(other.of)) continue;
-      if (*number.axis != '\0' && !leads_through(place.path, number.axis)) continue;
+      if (*number.axis != '\0' && !leads_through(path, number.axis)) continue;
       if ((number.raw & other.mask) != 0) return other.unit;
     }
     return &usual;
@@ -378,7 +368,7 @@ void call_user(void* user, const Leaf& leaf) {
 template <class T, class User>
 void for_each_leaf(const T& message, User&& use, const Availability& versions = {}) {
   detail::LeafWalk walk(detail::call_user<std::remove_reference_t<User>>, &use, versions);
-  walk.members(message, nullptr);
+  walk.members(detail::table_of<T>(), &message);
 }
 
 }  // namespace sbgc

@@ -1,0 +1,11 @@
+/// Compares messages by their tables.
+#pragma once
+
+#include <sbgc/detail/table.hpp>
+
+namespace sbgc::detail {
+
+/// As operator== of the messages, which compares real numbers as such.
+bool are_equal(const StructTable& table, const void* a, const void* b) noexcept;
+
+}  // namespace sbgc::detail
