@@ -16,8 +16,7 @@ namespace sbgc {
 template <>
 struct Meta<msg::AdjVarValue> {
   static constexpr FieldInfo fields[] = {
-      {.name = "param_id", .spec_name = "PARAM_ID",
-       .summary = "The variable (Appendix B)."},
+      {.name = "param_id", .spec_name = "PARAM_ID", .summary = "The variable (Appendix B)."},
       {.name = "param_value", .spec_name = "PARAM_VALUE",
        .summary = "The value, extended to 32 bits whatever the type of the variable.",
        .is_variable_value = true},
@@ -37,11 +36,9 @@ struct Meta<msg::AdjVarValue> {
 template <>
 struct Meta<msg::TriggerSlot> {
   static constexpr FieldInfo fields[] = {
-      {.name = "src_ch", .spec_name = "SRC_CH",
-       .summary = "RC signal.",
+      {.name = "src_ch", .spec_name = "SRC_CH", .summary = "RC signal.",
        .saved_as = "adj__vars__trigger/src__ch"},
-      {.name = "action", .spec_name = "ACTION{1..5}",
-       .summary = "Action of each signal level.",
+      {.name = "action", .spec_name = "ACTION{1..5}", .summary = "Action of each signal level.",
        .saved_as = "adj__vars__trigger/action"},
   };
   template <class T>
@@ -59,10 +56,8 @@ struct Meta<msg::TriggerSlot> {
 template <>
 struct Meta<msg::AnalogSlot> {
   static constexpr FieldInfo fields[] = {
-      {.name = "src_ch", .spec_name = "SRC_CH",
-       .summary = "RC signal."},
-      {.name = "param_id", .spec_name = "PARAM_ID",
-       .summary = "Variable to change (Appendix B)."},
+      {.name = "src_ch", .spec_name = "SRC_CH", .summary = "RC signal."},
+      {.name = "param_id", .spec_name = "PARAM_ID", .summary = "Variable to change (Appendix B)."},
       {.name = "min_val", .spec_name = "MIN_VAL",
        .summary = "Start of the working range, as a fraction of the variable's range."},
       {.name = "max_val", .spec_name = "MAX_VAL",
@@ -87,17 +82,11 @@ struct Meta<msg::AnalogSlot> {
 template <>
 struct Meta<msg::AdjVarInfo> {
   static constexpr FieldInfo fields[] = {
-      {.name = "var_id", .spec_name = "VAR_ID",
-       .summary = "The variable."},
-      {.name = "name", .spec_name = "NAME",
-       .summary = "Its name, at most 16 characters."},
-      {.name = "range_min", .spec_name = "RANGE_MIN",
-       .summary = "Its lowest value."},
-      {.name = "range_max", .spec_name = "RANGE_MAX",
-       .summary = "Its highest value."},
-      {.name = "value", .spec_name = "VALUE",
-       .summary = "Its value.",
-       .is_variable_value = true},
+      {.name = "var_id", .spec_name = "VAR_ID", .summary = "The variable."},
+      {.name = "name", .spec_name = "NAME", .summary = "Its name, at most 16 characters."},
+      {.name = "range_min", .spec_name = "RANGE_MIN", .summary = "Its lowest value."},
+      {.name = "range_max", .spec_name = "RANGE_MAX", .summary = "Its highest value."},
+      {.name = "value", .spec_name = "VALUE", .summary = "Its value.", .is_variable_value = true},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -125,10 +114,8 @@ struct Meta<msg::AdjVarInfo> {
 template <>
 struct Meta<msg::AdjVarFloat> {
   static constexpr FieldInfo fields[] = {
-      {.name = "id", .spec_name = "ID",
-       .summary = "The variable (Appendix B)."},
-      {.name = "value", .spec_name = "VALUE",
-       .summary = "The value."},
+      {.name = "id", .spec_name = "ID", .summary = "The variable (Appendix B)."},
+      {.name = "value", .spec_name = "VALUE", .summary = "The value."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -148,19 +135,15 @@ struct Meta<msg::SetAdjVarsVal> {
       .name = "SetAdjVarsVal",
       .command = "CMD_SET_ADJ_VARS_VAL",
       .summary = "Values of adjustable variables.",
-      .id = 31,
-      .direction = Direction::both,
-      .min_size = 1,
-      .max_size = 201,
+      .id = 31, .direction = Direction::both,
+      .min_size = 1, .max_size = 201,
       .since = {.board = 30},
       .effects = Effects(Effect::sets) | Effect::moves};
   static constexpr Range num_vars_range{1, 40};
   static constexpr FieldInfo fields[] = {
-      {.name = "num_vars", .spec_name = "NUM_VARS",
-       .summary = "Number of variables that follow.",
+      {.name = "num_vars", .spec_name = "NUM_VARS", .summary = "Number of variables that follow.",
        .range = &num_vars_range},
-      {.name = "params", .spec_name = "params",
-       .summary = "The variables."},
+      {.name = "params", .spec_name = "params", .summary = "The variables."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -182,20 +165,16 @@ struct Meta<msg::GetAdjVarsVal> {
       .name = "GetAdjVarsVal",
       .command = "CMD_GET_ADJ_VARS_VAL",
       .summary = "Request the values of adjustable variables.",
-      .id = 64,
-      .direction = Direction::to_board,
-      .min_size = 1,
-      .max_size = 41,
+      .id = 64, .direction = Direction::to_board,
+      .min_size = 1, .max_size = 41,
       .since = {.board = 30},
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr Range num_vars_range{1, 40};
   static constexpr FieldInfo fields[] = {
-      {.name = "num_vars", .spec_name = "NUM_VARS",
-       .summary = "Number of variables that follow.",
+      {.name = "num_vars", .spec_name = "NUM_VARS", .summary = "Number of variables that follow.",
        .range = &num_vars_range},
-      {.name = "param_id", .spec_name = "PARAM_ID",
-       .summary = "The variables (Appendix B)."},
+      {.name = "param_id", .spec_name = "PARAM_ID", .summary = "The variables (Appendix B)."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -215,18 +194,15 @@ struct Meta<msg::ReadAdjVarsCfg> {
       .name = "ReadAdjVarsCfg",
       .command = "CMD_READ_ADJ_VARS_CFG",
       .summary = "RC signals that trigger actions or change adjustable variables.",
-      .id = 43,
-      .direction = Direction::from_board,
-      .min_size = 128,
-      .max_size = 128,
+      .id = 43, .direction = Direction::from_board,
+      .min_size = 128, .max_size = 128,
       .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "trigger_slots", .spec_name = "trigger_slots",
        .summary = "RC signals that trigger actions; the range of a signal is split into five levels."},
       {.name = "analog_slots", .spec_name = "analog_slots",
        .summary = "RC signals that change adjustable variables."},
-      {.name = "reserved", .spec_name = "RESERVED",
-       .summary = "Reserved; kept as it is.",
+      {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
   template <class T>
@@ -251,10 +227,8 @@ struct Meta<msg::ReadAdjVarsCfgRequest> {
       .name = "ReadAdjVarsCfgRequest",
       .command = "CMD_READ_ADJ_VARS_CFG",
       .summary = "Request the RC signals that trigger actions or change adjustable variables.",
-      .id = 43,
-      .direction = Direction::to_board,
-      .min_size = 0,
-      .max_size = 0,
+      .id = 43, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 0,
       .since = {.board = 30},
       .answers = answers,
       .effects = Effects(Effect::reads)};
@@ -269,30 +243,24 @@ struct Meta<msg::AdjVarsState> {
       .name = "AdjVarsState",
       .command = "CMD_ADJ_VARS_STATE",
       .summary = "Current state of one trigger slot and one analog slot.",
-      .id = 46,
-      .direction = Direction::from_board,
-      .min_size = 15,
-      .max_size = 15,
+      .id = 46, .direction = Direction::from_board,
+      .min_size = 15, .max_size = 15,
       .since = {.board = 30}};
   static constexpr Range trigger_rc_data_range{-500, 500};
   static constexpr Range trigger_action_range{0, 255};
   static constexpr Range analog_rc_data_range{-500, 500};
   static constexpr FieldInfo fields[] = {
       {.name = "trigger_rc_data", .spec_name = "TRIGGER_RC_DATA",
-       .summary = "RC signal of the trigger slot.",
-       .unit = &UnitMeta<msg::CentredRcSignal>::info,
+       .summary = "RC signal of the trigger slot.", .unit = &UnitMeta<msg::CentredRcSignal>::info,
        .range = &trigger_rc_data_range},
       {.name = "trigger_action", .spec_name = "TRIGGER_ACTION",
-       .summary = "Action that the slot triggered.",
-       .range = &trigger_action_range},
+       .summary = "Action that the slot triggered.", .range = &trigger_action_range},
       {.name = "analog_rc_data", .spec_name = "ANALOG_RC_DATA",
-       .summary = "RC signal of the analog slot.",
-       .unit = &UnitMeta<msg::CentredRcSignal>::info,
+       .summary = "RC signal of the analog slot.", .unit = &UnitMeta<msg::CentredRcSignal>::info,
        .range = &analog_rc_data_range},
       {.name = "analog_value", .spec_name = "ANALOG_VALUE",
        .summary = "Value of the variable, in its own units."},
-      {.name = "reserved", .spec_name = "RESERVED",
-       .summary = "Reserved; kept as it is.",
+      {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
   template <class T>
@@ -320,10 +288,8 @@ struct Meta<msg::AdjVarsStateExt> {
       .name = "AdjVarsStateExt",
       .command = "CMD_ADJ_VARS_STATE",
       .summary = "Current state of a trigger slot, two RC signals and two variables.",
-      .id = 46,
-      .direction = Direction::from_board,
-      .min_size = 15,
-      .max_size = 15,
+      .id = 46, .direction = Direction::from_board,
+      .min_size = 15, .max_size = 15,
       .since = {.firmware = 2625}};
   static constexpr Range trigger_rc_data_range{-16384, 16384};
   static constexpr Range trigger_action_range{0, 255};
@@ -331,22 +297,17 @@ struct Meta<msg::AdjVarsStateExt> {
   static constexpr Range lut_src_value_range{-16384, 16384};
   static constexpr FieldInfo fields[] = {
       {.name = "trigger_rc_data", .spec_name = "TRIGGER_RC_DATA",
-       .summary = "RC signal of the trigger slot.",
-       .unit = &UnitMeta<msg::FineRcSignal>::info,
+       .summary = "RC signal of the trigger slot.", .unit = &UnitMeta<msg::FineRcSignal>::info,
        .range = &trigger_rc_data_range},
       {.name = "trigger_action", .spec_name = "TRIGGER_ACTION",
-       .summary = "Action that the slot triggered.",
-       .range = &trigger_action_range},
+       .summary = "Action that the slot triggered.", .range = &trigger_action_range},
       {.name = "analog_src_value", .spec_name = "ANALOG_SRC_VALUE",
-       .summary = "RC signal of ANALOG_SRC_ID.",
-       .unit = &UnitMeta<msg::FineRcSignal>::info,
+       .summary = "RC signal of ANALOG_SRC_ID.", .unit = &UnitMeta<msg::FineRcSignal>::info,
        .range = &analog_src_value_range},
       {.name = "analog_var_value", .spec_name = "ANALOG_VAR_VALUE",
        .summary = "Value of ANALOG_VAR_ID, in its own units."},
-      {.name = "lut_src_value", .spec_name = "LUT_SRC_VALUE",
-       .summary = "RC signal of LUT_SRC_ID.",
-       .unit = &UnitMeta<msg::FineRcSignal>::info,
-       .range = &lut_src_value_range},
+      {.name = "lut_src_value", .spec_name = "LUT_SRC_VALUE", .summary = "RC signal of LUT_SRC_ID.",
+       .unit = &UnitMeta<msg::FineRcSignal>::info, .range = &lut_src_value_range},
       {.name = "lut_var_value", .spec_name = "LUT_VAR_VALUE",
        .summary = "Value of LUT_VAR_ID, in its own units."},
   };
@@ -378,18 +339,15 @@ struct Meta<msg::AdjVarsStateRequest> {
       .name = "AdjVarsStateRequest",
       .command = "CMD_ADJ_VARS_STATE",
       .summary = "Request the state of one trigger slot and one analog slot.",
-      .id = 46,
-      .direction = Direction::to_board,
-      .min_size = 2,
-      .max_size = 2,
+      .id = 46, .direction = Direction::to_board,
+      .min_size = 2, .max_size = 2,
       .since = {.board = 30},
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr FieldInfo fields[] = {
       {.name = "trigger_slot", .spec_name = "TRIGGER_SLOT",
        .summary = "Trigger slot, counted from 0."},
-      {.name = "analog_slot", .spec_name = "ANALOG_SLOT",
-       .summary = "Analog slot, counted from 0."},
+      {.name = "analog_slot", .spec_name = "ANALOG_SLOT", .summary = "Analog slot, counted from 0."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -410,22 +368,17 @@ struct Meta<msg::AdjVarsStateRequestExt> {
       .name = "AdjVarsStateRequestExt",
       .command = "CMD_ADJ_VARS_STATE",
       .summary = "Request the state of a trigger slot, two RC signals and two variables.",
-      .id = 46,
-      .direction = Direction::to_board,
-      .min_size = 7,
-      .max_size = 7,
+      .id = 46, .direction = Direction::to_board,
+      .min_size = 7, .max_size = 7,
       .since = {.firmware = 2625},
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr Range trigger_slot_range{0, 9};
   static constexpr FieldInfo fields[] = {
       {.name = "trigger_slot", .spec_name = "TRIGGER_SLOT",
-       .summary = "Trigger slot, counted from 0.",
-       .range = &trigger_slot_range},
-      {.name = "analog_src_id", .spec_name = "ANALOG_SRC_ID",
-       .summary = "RC signal to report."},
-      {.name = "analog_var_id", .spec_name = "ANALOG_VAR_ID",
-       .summary = "Variable to report."},
+       .summary = "Trigger slot, counted from 0.", .range = &trigger_slot_range},
+      {.name = "analog_src_id", .spec_name = "ANALOG_SRC_ID", .summary = "RC signal to report."},
+      {.name = "analog_var_id", .spec_name = "ANALOG_VAR_ID", .summary = "Variable to report."},
       {.name = "lut_src_id", .spec_name = "LUT_SRC_ID",
        .summary = "RC signal of a lookup table to report."},
       {.name = "lut_var_id", .spec_name = "LUT_VAR_ID",
@@ -455,16 +408,13 @@ struct Meta<msg::AdjVarsInfo> {
       .name = "AdjVarsInfo",
       .command = "CMD_ADJ_VARS_INFO",
       .summary = "Names, ranges and values of adjustable variables.",
-      .id = 132,
-      .direction = Direction::from_board,
-      .min_size = 1,
-      .max_size = 255,
+      .id = 132, .direction = Direction::from_board,
+      .min_size = 1, .max_size = 255,
       .since = {.firmware = 2730}};
   static constexpr FieldInfo fields[] = {
       {.name = "total_number", .spec_name = "TOTAL_NUMBER",
        .summary = "Number of variables of the board, of which a message holds a part."},
-      {.name = "vars", .spec_name = "vars",
-       .summary = "The variables, from START_ID on."},
+      {.name = "vars", .spec_name = "vars", .summary = "The variables, from START_ID on."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -485,10 +435,8 @@ struct Meta<msg::AdjVarsInfoRequest> {
       .name = "AdjVarsInfoRequest",
       .command = "CMD_ADJ_VARS_INFO",
       .summary = "Request names, ranges and values of adjustable variables.",
-      .id = 132,
-      .direction = Direction::to_board,
-      .min_size = 1,
-      .max_size = 1,
+      .id = 132, .direction = Direction::to_board,
+      .min_size = 1, .max_size = 1,
       .since = {.firmware = 2730},
       .answers = answers,
       .effects = Effects(Effect::reads)};
@@ -513,10 +461,8 @@ struct Meta<msg::AdjVarsInfoRequestAll> {
       .name = "AdjVarsInfoRequestAll",
       .command = "CMD_ADJ_VARS_INFO",
       .summary = "Request names, ranges and values of adjustable variables, starting with the first.",
-      .id = 132,
-      .direction = Direction::to_board,
-      .min_size = 0,
-      .max_size = 0,
+      .id = 132, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 0,
       .since = {.firmware = 2730},
       .unconfirmed = true,
       .answers = answers,
@@ -532,19 +478,15 @@ struct Meta<msg::SetAdjVarsValF> {
       .name = "SetAdjVarsValF",
       .command = "CMD_SET_ADJ_VARS_VAL_F",
       .summary = "Values of adjustable variables in floating point.",
-      .id = 134,
-      .direction = Direction::both,
-      .min_size = 1,
-      .max_size = 201,
+      .id = 134, .direction = Direction::both,
+      .min_size = 1, .max_size = 201,
       .since = {.firmware = 2734},
       .effects = Effects(Effect::sets) | Effect::moves};
   static constexpr Range num_params_range{1, 40};
   static constexpr FieldInfo fields[] = {
       {.name = "num_params", .spec_name = "NUM_PARAMS",
-       .summary = "Number of variables that follow.",
-       .range = &num_params_range},
-      {.name = "params", .spec_name = "params",
-       .summary = "The variables."},
+       .summary = "Number of variables that follow.", .range = &num_params_range},
+      {.name = "params", .spec_name = "params", .summary = "The variables."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -566,20 +508,16 @@ struct Meta<msg::GetAdjVarsValF> {
       .name = "GetAdjVarsValF",
       .command = "CMD_GET_ADJ_VARS_VAL_F",
       .summary = "Request the values of adjustable variables in floating point.",
-      .id = 135,
-      .direction = Direction::to_board,
-      .min_size = 1,
-      .max_size = 41,
+      .id = 135, .direction = Direction::to_board,
+      .min_size = 1, .max_size = 41,
       .since = {.firmware = 2734},
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr Range num_params_range{1, 40};
   static constexpr FieldInfo fields[] = {
       {.name = "num_params", .spec_name = "NUM_PARAMS",
-       .summary = "Number of variables that follow.",
-       .range = &num_params_range},
-      {.name = "id", .spec_name = "ID",
-       .summary = "The variables (Appendix B)."},
+       .summary = "Number of variables that follow.", .range = &num_params_range},
+      {.name = "id", .spec_name = "ID", .summary = "The variables (Appendix B)."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -599,10 +537,8 @@ struct Meta<msg::WriteAdjVarsCfg> : Meta<msg::ReadAdjVarsCfg> {
       .name = "WriteAdjVarsCfg",
       .command = "CMD_WRITE_ADJ_VARS_CFG",
       .summary = "Store the RC signals that trigger actions or change adjustable variables.",
-      .id = 44,
-      .direction = Direction::to_board,
-      .min_size = 128,
-      .max_size = 128,
+      .id = 44, .direction = Direction::to_board,
+      .min_size = 128, .max_size = 128,
       .since = {.board = 30},
       .stores = "ReadAdjVarsCfg",
       .effects = Effects(Effect::stores) | Effect::moves};

@@ -18,8 +18,7 @@ struct Meta<msg::AxisTuning> {
   static constexpr FieldInfo fields[] = {
       {.name = "tracking_error", .spec_name = "TRACKING_ERROR",
        .summary = "Tracking error of the axis."},
-      {.name = "reserved", .spec_name = "RESERVED",
-       .summary = "Reserved; kept as it is.",
+      {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
   template <class T>
@@ -37,23 +36,17 @@ struct Meta<msg::AxisTuning> {
 template <>
 struct Meta<msg::AxisTuningConfig> {
   static constexpr FieldInfo fields[] = {
-      {.name = "axis_flags", .spec_name = "AXIS_FLAGS",
-       .summary = "What to tune."},
-      {.name = "gain", .spec_name = "GAIN",
-       .summary = "Gain to aim for."},
+      {.name = "axis_flags", .spec_name = "AXIS_FLAGS", .summary = "What to tune."},
+      {.name = "gain", .spec_name = "GAIN", .summary = "Gain to aim for."},
       {.name = "stimulus_gain", .spec_name = "STIMULUS_GAIN",
        .summary = "Strength of the test signal."},
-      {.name = "effective_freq", .spec_name = "EFFECTIVE_FREQ",
-       .summary = "Effective frequency.",
+      {.name = "effective_freq", .spec_name = "EFFECTIVE_FREQ", .summary = "Effective frequency.",
        .unit = &UnitMeta<msg::SmallFrequency>::info},
       {.name = "problem_freq", .spec_name = "PROBLEM_FREQ",
-       .summary = "Frequency of a known problem.",
-       .unit = &UnitMeta<msg::SmallFrequency>::info},
+       .summary = "Frequency of a known problem.", .unit = &UnitMeta<msg::SmallFrequency>::info},
       {.name = "problem_margin", .spec_name = "PROBLEM_MARGIN",
-       .summary = "Margin at that frequency.",
-       .unit = &UnitMeta<msg::TenthDecibels>::info},
-      {.name = "reserved", .spec_name = "RESERVED",
-       .summary = "Reserved; kept as it is.",
+       .summary = "Margin at that frequency.", .unit = &UnitMeta<msg::TenthDecibels>::info},
+      {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
   template <class T>
@@ -82,30 +75,22 @@ template <>
 struct Meta<msg::AutoPid2Config> {
   static constexpr Range cfg_version_range{1, 1};
   static constexpr FieldInfo fields[] = {
-      {.name = "cfg_version", .spec_name = "CFG_VERSION",
-       .summary = "Version of the configuration.",
+      {.name = "cfg_version", .spec_name = "CFG_VERSION", .summary = "Version of the configuration.",
        .range = &cfg_version_range},
-      {.name = "axes", .spec_name = "axes",
-       .summary = "How to tune each axis."},
-      {.name = "general_flags", .spec_name = "GENERAL_FLAGS",
-       .summary = "Options."},
-      {.name = "reserved_1", .spec_name = "RESERVED",
-       .summary = "Reserved; kept as it is.",
+      {.name = "axes", .spec_name = "axes", .summary = "How to tune each axis."},
+      {.name = "general_flags", .spec_name = "GENERAL_FLAGS", .summary = "Options."},
+      {.name = "reserved_1", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
       {.name = "test_freq_from", .spec_name = "TEST_FREQ_FROM",
-       .summary = "Lowest frequency of the test signal.",
-       .unit = &UnitMeta<msg::TenthHertz>::info},
+       .summary = "Lowest frequency of the test signal.", .unit = &UnitMeta<msg::TenthHertz>::info},
       {.name = "test_freq_to", .spec_name = "TEST_FREQ_TO",
-       .summary = "Highest frequency of the test signal.",
-       .unit = &UnitMeta<msg::TwoHertz>::info},
+       .summary = "Highest frequency of the test signal.", .unit = &UnitMeta<msg::TwoHertz>::info},
       {.name = "multi_pos_flag", .spec_name = "MULTI_POS_FLAG",
        .summary = "Positions in which to tune."},
       {.name = "multi_pos_angle", .spec_name = "MULTI_POS_ANGLE",
-       .summary = "Angle of each position.",
-       .unit = &UnitMeta<msg::EncoderLimit>::info,
+       .summary = "Angle of each position.", .unit = &UnitMeta<msg::EncoderLimit>::info,
        .directed = Directed::by_axis},
-      {.name = "reserved_2", .spec_name = "RESERVED",
-       .summary = "Reserved; kept as it is.",
+      {.name = "reserved_2", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
   template <class T>
@@ -142,22 +127,14 @@ struct Meta<msg::CoggingMotor> {
       {0, "automatic"},
   };
   static constexpr FieldInfo fields[] = {
-      {.name = "angle", .spec_name = "ANGLE",
-       .summary = "Angle by which the motor turns.",
-       .unit = &UnitMeta<msg::WideDegrees>::info,
-       .range = &angle_range},
-      {.name = "smooth", .spec_name = "SMOOTH",
-       .summary = "Smoothing of the result.",
-       .unit = &UnitMeta<msg::Percent>::info,
-       .range = &smooth_range},
-      {.name = "speed", .spec_name = "SPEED",
-       .summary = "Speed of the motion; relative."},
-      {.name = "period", .spec_name = "PERIOD",
-       .summary = "Angle after which the cogging repeats.",
-       .unit = &UnitMeta<msg::WideDegrees>::info,
-       .special = period_special},
-      {.name = "reserved", .spec_name = "RESERVED",
-       .summary = "Reserved; kept as it is.",
+      {.name = "angle", .spec_name = "ANGLE", .summary = "Angle by which the motor turns.",
+       .unit = &UnitMeta<msg::WideDegrees>::info, .range = &angle_range},
+      {.name = "smooth", .spec_name = "SMOOTH", .summary = "Smoothing of the result.",
+       .unit = &UnitMeta<msg::Percent>::info, .range = &smooth_range},
+      {.name = "speed", .spec_name = "SPEED", .summary = "Speed of the motion; relative."},
+      {.name = "period", .spec_name = "PERIOD", .summary = "Angle after which the cogging repeats.",
+       .unit = &UnitMeta<msg::WideDegrees>::info, .special = period_special},
+      {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
   template <class T>
@@ -183,12 +160,8 @@ struct Meta<msg::BodeSample> {
   static constexpr Range input_range{0, 65534};
   static constexpr Range output_range{0, 65534};
   static constexpr FieldInfo fields[] = {
-      {.name = "input", .spec_name = "INPUT",
-       .summary = "Input.",
-       .range = &input_range},
-      {.name = "output", .spec_name = "OUTPUT",
-       .summary = "Output.",
-       .range = &output_range},
+      {.name = "input", .spec_name = "INPUT", .summary = "Input.", .range = &input_range},
+      {.name = "output", .spec_name = "OUTPUT", .summary = "Output.", .range = &output_range},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -208,10 +181,8 @@ struct Meta<msg::CalibAcc> {
       .name = "CalibAcc",
       .command = "CMD_CALIB_ACC",
       .summary = "Calibrate the accelerometer of the active IMU.",
-      .id = 65,
-      .direction = Direction::to_board,
-      .min_size = 0,
-      .max_size = 0,
+      .id = 65, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 0,
       .effects = Effects(Effect::stores),
       .preparation = "Place the camera so that the sensor is exactly level, on something that does not move, and turn the motors off. To calibrate the other directions as well, repeat it with each side of the sensor upwards; CMD_CALIB_INFO shows which ones are done."};
 
@@ -225,23 +196,17 @@ struct Meta<msg::CalibAccExt> {
       .name = "CalibAccExt",
       .command = "CMD_CALIB_ACC",
       .summary = "Calibrate the accelerometer of an IMU, or manage its calibrations.",
-      .id = 65,
-      .direction = Direction::to_board,
-      .min_size = 12,
-      .max_size = 12,
+      .id = 65, .direction = Direction::to_board,
+      .min_size = 12, .max_size = 12,
       .effects = Effects(Effect::stores) | Effect::restarts | Effect::erases,
       .preparation = "Place the camera so that the sensor is exactly level, on something that does not move, and turn the motors off. To calibrate the other directions as well, repeat it with each side of the sensor upwards; CMD_CALIB_INFO shows which ones are done. For TEMPERATURE, cool the sensor down first; it is calibrated while it warms up by itself."};
   static constexpr FieldInfo fields[] = {
-      {.name = "imu_idx", .spec_name = "IMU_IDX",
-       .summary = "The IMU."},
-      {.name = "action", .spec_name = "ACTION",
-       .summary = "Operation."},
+      {.name = "imu_idx", .spec_name = "IMU_IDX", .summary = "The IMU."},
+      {.name = "action", .spec_name = "ACTION", .summary = "Operation."},
       {.name = "time_ms", .spec_name = "TIME_MS",
        .summary = "Without meaning here; the duration of the calibration of a gyroscope.",
-       .unit = &UnitMeta<msg::Milliseconds>::info,
-       .since = {.firmware = 2600}},
-      {.name = "reserved", .spec_name = "RESERVED",
-       .summary = "Reserved; kept as it is.",
+       .unit = &UnitMeta<msg::Milliseconds>::info, .since = {.firmware = 2600}},
+      {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
   template <class T>
@@ -266,10 +231,8 @@ struct Meta<msg::CalibGyro> {
       .name = "CalibGyro",
       .command = "CMD_CALIB_GYRO",
       .summary = "Calibrate the gyroscope of the active IMU.",
-      .id = 103,
-      .direction = Direction::to_board,
-      .min_size = 0,
-      .max_size = 0,
+      .id = 103, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 0,
       .effects = Effects(Effect::stores),
       .preparation = "Leave the camera completely still, in any position, and turn the motors off; do not touch it until the end."};
 
@@ -283,27 +246,21 @@ struct Meta<msg::CalibGyroExt> {
       .name = "CalibGyroExt",
       .command = "CMD_CALIB_GYRO",
       .summary = "Calibrate the gyroscope of an IMU, or manage its calibrations.",
-      .id = 103,
-      .direction = Direction::to_board,
-      .min_size = 12,
-      .max_size = 12,
+      .id = 103, .direction = Direction::to_board,
+      .min_size = 12, .max_size = 12,
       .effects = Effects(Effect::stores) | Effect::restarts | Effect::erases,
       .preparation = "Leave the camera completely still, in any position, and turn the motors off; do not touch it until the end. For TEMPERATURE, cool the sensor down first; it is calibrated while it warms up by itself."};
   static constexpr Special time_ms_special[] = {
       {0, "about 4 s"},
   };
   static constexpr FieldInfo fields[] = {
-      {.name = "imu_idx", .spec_name = "IMU_IDX",
-       .summary = "The IMU."},
-      {.name = "action", .spec_name = "ACTION",
-       .summary = "Operation."},
+      {.name = "imu_idx", .spec_name = "IMU_IDX", .summary = "The IMU."},
+      {.name = "action", .spec_name = "ACTION", .summary = "Operation."},
       {.name = "time_ms", .spec_name = "TIME_MS",
        .summary = "Duration of the calibration of a gyroscope.",
-       .unit = &UnitMeta<msg::Milliseconds>::info,
-       .special = time_ms_special,
+       .unit = &UnitMeta<msg::Milliseconds>::info, .special = time_ms_special,
        .since = {.firmware = 2600}},
-      {.name = "reserved", .spec_name = "RESERVED",
-       .summary = "Reserved; kept as it is.",
+      {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
   template <class T>
@@ -328,10 +285,8 @@ struct Meta<msg::CalibMag> {
       .name = "CalibMag",
       .command = "CMD_CALIB_MAG",
       .summary = "Calibrate the magnetometer.",
-      .id = 59,
-      .direction = Direction::to_board,
-      .min_size = 0,
-      .max_size = 0,
+      .id = 59, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 0,
       .since = {.board = 30},
       .effects = Effects(Effect::stores),
       .preparation = "Take the gimbal away from steel and from other motors, and turn the motors off. While the calibration runs, turn the sensor slowly about all its axes, until every side has pointed in every direction."};
@@ -346,23 +301,18 @@ struct Meta<msg::CalibMagExt> {
       .name = "CalibMagExt",
       .command = "CMD_CALIB_MAG",
       .summary = "Calibrate the magnetometer of an IMU, or manage its calibrations.",
-      .id = 59,
-      .direction = Direction::to_board,
-      .min_size = 12,
-      .max_size = 12,
+      .id = 59, .direction = Direction::to_board,
+      .min_size = 12, .max_size = 12,
       .since = {.board = 30},
       .effects = Effects(Effect::stores) | Effect::restarts | Effect::erases,
       .preparation = "Take the gimbal away from steel and from other motors, and turn the motors off. While the calibration runs, turn the sensor slowly about all its axes, until every side has pointed in every direction."};
   static constexpr FieldInfo fields[] = {
-      {.name = "imu_idx", .spec_name = "IMU_IDX",
-       .summary = "The IMU."},
-      {.name = "action", .spec_name = "ACTION",
-       .summary = "Operation."},
+      {.name = "imu_idx", .spec_name = "IMU_IDX", .summary = "The IMU."},
+      {.name = "action", .spec_name = "ACTION", .summary = "Operation."},
       {.name = "time_ms", .spec_name = "TIME_MS",
        .summary = "Without meaning here; the duration of the calibration of a gyroscope.",
        .unit = &UnitMeta<msg::Milliseconds>::info},
-      {.name = "reserved", .spec_name = "RESERVED",
-       .summary = "Reserved; kept as it is.",
+      {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
   template <class T>
@@ -387,10 +337,8 @@ struct Meta<msg::CalibExtGain> {
       .name = "CalibExtGain",
       .command = "CMD_CALIB_EXT_GAIN",
       .summary = "Calibrate the gains of a flight controller's signals.",
-      .id = 71,
-      .direction = Direction::to_board,
-      .min_size = 0,
-      .max_size = 0,
+      .id = 71, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 0,
       .effects = Effects(Effect::stores) | Effect::moves,
       .preparation = "Connect the flight controller and level the camera. While the calibration runs, tilt the frame smoothly by 20 to 40 degrees to both sides, in roll and in pitch."};
 
@@ -404,10 +352,8 @@ struct Meta<msg::CalibPoles> {
       .name = "CalibPoles",
       .command = "CMD_CALIB_POLES",
       .summary = "Detect the poles and the direction of the motors.",
-      .id = 80,
-      .direction = Direction::to_board,
-      .min_size = 0,
-      .max_size = 0,
+      .id = 80, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 0,
       .effects = Effects(Effect::stores) | Effect::moves,
       .preparation = "Balance the camera, fasten the frame, and make sure that all axes turn freely: the motors turn the camera. Their power must be set high enough to hold it."};
 
@@ -421,10 +367,8 @@ struct Meta<msg::CalibOffset> {
       .name = "CalibOffset",
       .command = "CMD_CALIB_OFFSET",
       .summary = "Calibrate the follow mode offset.",
-      .id = 79,
-      .direction = Direction::to_board,
-      .min_size = 0,
-      .max_size = 0,
+      .id = 79, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 0,
       .effects = Effects(Effect::stores) | Effect::moves,
       .preparation = "Level the frame, and turn the camera to the position, relative to the frame, that it should have in follow mode."};
 
@@ -438,16 +382,13 @@ struct Meta<msg::CalibBat> {
       .name = "CalibBat",
       .command = "CMD_CALIB_BAT",
       .summary = "Calibrate the battery voltage measurement.",
-      .id = 66,
-      .direction = Direction::to_board,
-      .min_size = 2,
-      .max_size = 2,
+      .id = 66, .direction = Direction::to_board,
+      .min_size = 2, .max_size = 2,
       .effects = Effects(Effect::stores),
       .preparation = "Measure the voltage of the battery with a voltmeter, at the connector of the board, while the board is on."};
   static constexpr FieldInfo fields[] = {
       {.name = "actual_voltage", .spec_name = "ACTUAL_VOLTAGE",
-       .summary = "Actual voltage, measured externally.",
-       .unit = &UnitMeta<msg::Voltage>::info},
+       .summary = "Actual voltage, measured externally.", .unit = &UnitMeta<msg::Voltage>::info},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -465,10 +406,8 @@ struct Meta<msg::CalibInfo> {
       .name = "CalibInfo",
       .command = "CMD_CALIB_INFO",
       .summary = "Calibration status for display.",
-      .id = 49,
-      .direction = Direction::from_board,
-      .min_size = 33,
-      .max_size = 33,
+      .id = 49, .direction = Direction::from_board,
+      .min_size = 33, .max_size = 33,
       .since = {.board = 30}};
   static constexpr Range progress_range{0, 100};
   static constexpr Range acc_cur_axis_range{0, 2};
@@ -482,38 +421,29 @@ struct Meta<msg::CalibInfo> {
   static constexpr Range temp_calib_acc_t_max_cels_range{-127, 127};
   static constexpr Range h1_err_length_range{0, 255};
   static constexpr FieldInfo fields[] = {
-      {.name = "progress", .spec_name = "PROGRESS",
-       .summary = "Progress of the calibration.",
-       .unit = &UnitMeta<msg::Percent>::info,
-       .range = &progress_range},
-      {.name = "imu_type", .spec_name = "IMU_TYPE",
-       .summary = "The IMU."},
+      {.name = "progress", .spec_name = "PROGRESS", .summary = "Progress of the calibration.",
+       .unit = &UnitMeta<msg::Percent>::info, .range = &progress_range},
+      {.name = "imu_type", .spec_name = "IMU_TYPE", .summary = "The IMU."},
       {.name = "acc_data", .spec_name = "ACC_DATA",
        .summary = "Accelerometer, as in CMD_REALTIME_DATA_3.",
-       .unit = &UnitMeta<msg::Acceleration>::info,
-       .directed = Directed::by_axis},
+       .unit = &UnitMeta<msg::Acceleration>::info, .directed = Directed::by_axis},
       {.name = "gyro_abs_val", .spec_name = "GYRO_ABS_VAL",
        .summary = "Magnitude of the gyroscope signal."},
       {.name = "acc_cur_axis", .spec_name = "ACC_CUR_AXIS",
-       .summary = "Accelerometer axis to calibrate next.",
-       .range = &acc_cur_axis_range},
+       .summary = "Accelerometer axis to calibrate next.", .range = &acc_cur_axis_range},
       {.name = "acc_limits_info", .spec_name = "ACC_LIMITS_INFO",
        .summary = "Calibrated directions of the accelerometer."},
-      {.name = "imu_temp_cels", .spec_name = "IMU_TEMP_CELS",
-       .summary = "Temperature of the IMU.",
-       .unit = &UnitMeta<msg::Temperature>::info,
-       .range = &imu_temp_cels_range},
+      {.name = "imu_temp_cels", .spec_name = "IMU_TEMP_CELS", .summary = "Temperature of the IMU.",
+       .unit = &UnitMeta<msg::Temperature>::info, .range = &imu_temp_cels_range},
       {.name = "temp_calib_gyro_enabled", .spec_name = "TEMP_CALIB_GYRO_ENABLED",
        .summary = "1 if the gyroscope's calibration over temperature is enabled.",
        .range = &temp_calib_gyro_enabled_range},
       {.name = "temp_calib_gyro_t_min_cels", .spec_name = "TEMP_CALIB_GYRO_T_MIN_CELS",
        .summary = "Lowest temperature of the gyroscope's calibration.",
-       .unit = &UnitMeta<msg::Temperature>::info,
-       .range = &temp_calib_gyro_t_min_cels_range},
+       .unit = &UnitMeta<msg::Temperature>::info, .range = &temp_calib_gyro_t_min_cels_range},
       {.name = "temp_calib_gyro_t_max_cels", .spec_name = "TEMP_CALIB_GYRO_T_MAX_CELS",
        .summary = "Highest temperature of the gyroscope's calibration.",
-       .unit = &UnitMeta<msg::Temperature>::info,
-       .range = &temp_calib_gyro_t_max_cels_range},
+       .unit = &UnitMeta<msg::Temperature>::info, .range = &temp_calib_gyro_t_max_cels_range},
       {.name = "temp_calib_acc_enabled", .spec_name = "TEMP_CALIB_ACC_ENABLED",
        .summary = "1 if the accelerometer's calibration over temperature is enabled.",
        .range = &temp_calib_acc_enabled_range},
@@ -522,18 +452,14 @@ struct Meta<msg::CalibInfo> {
        .range = &temp_calib_acc_slot_num_range},
       {.name = "temp_calib_acc_t_min_cels", .spec_name = "TEMP_CALIB_ACC_T_MIN_CELS",
        .summary = "Lowest temperature of the accelerometer's calibration.",
-       .unit = &UnitMeta<msg::Temperature>::info,
-       .range = &temp_calib_acc_t_min_cels_range},
+       .unit = &UnitMeta<msg::Temperature>::info, .range = &temp_calib_acc_t_min_cels_range},
       {.name = "temp_calib_acc_t_max_cels", .spec_name = "TEMP_CALIB_ACC_T_MAX_CELS",
        .summary = "Highest temperature of the accelerometer's calibration.",
-       .unit = &UnitMeta<msg::Temperature>::info,
-       .range = &temp_calib_acc_t_max_cels_range},
+       .unit = &UnitMeta<msg::Temperature>::info, .range = &temp_calib_acc_t_max_cels_range},
       {.name = "h1_err_length", .spec_name = "H1_ERR_LENGTH",
        .summary = "Length of the difference between the estimated and the reference heading vector, both of length 1.",
-       .unit = &UnitMeta<msg::Hundredths>::info,
-       .range = &h1_err_length_range},
-      {.name = "reserved", .spec_name = "RESERVED",
-       .summary = "Reserved; kept as it is.",
+       .unit = &UnitMeta<msg::Hundredths>::info, .range = &h1_err_length_range},
+      {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
   template <class T>
@@ -584,18 +510,14 @@ struct Meta<msg::CalibInfoRequest> {
       .name = "CalibInfoRequest",
       .command = "CMD_CALIB_INFO",
       .summary = "Request the calibration status.",
-      .id = 49,
-      .direction = Direction::to_board,
-      .min_size = 12,
-      .max_size = 12,
+      .id = 49, .direction = Direction::to_board,
+      .min_size = 12, .max_size = 12,
       .since = {.board = 30},
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr FieldInfo fields[] = {
-      {.name = "imu_type", .spec_name = "IMU_TYPE",
-       .summary = "The IMU."},
-      {.name = "reserved", .spec_name = "RESERVED",
-       .summary = "Reserved; kept as it is.",
+      {.name = "imu_type", .spec_name = "IMU_TYPE", .summary = "The IMU."},
+      {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
   template <class T>
@@ -616,14 +538,11 @@ struct Meta<msg::CalibMotorMagLink> {
       .name = "CalibMotorMagLink",
       .command = "CMD_CALIB_MOTOR_MAG_LINK",
       .summary = "Undocumented body from the board.",
-      .id = 74,
-      .direction = Direction::from_board,
-      .min_size = 0,
-      .max_size = 255,
+      .id = 74, .direction = Direction::from_board,
+      .min_size = 0, .max_size = 255,
       .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
-      {.name = "data", .spec_name = "DATA",
-       .summary = "Undocumented content."},
+      {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -641,15 +560,12 @@ struct Meta<msg::CalibMotorMagLinkRequest> {
       .name = "CalibMotorMagLinkRequest",
       .command = "CMD_CALIB_MOTOR_MAG_LINK",
       .summary = "Undocumented body to the board.",
-      .id = 74,
-      .direction = Direction::to_board,
-      .min_size = 0,
-      .max_size = 255,
+      .id = 74, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 255,
       .since = {.board = 30},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
-      {.name = "data", .spec_name = "DATA",
-       .summary = "Undocumented content."},
+      {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -667,16 +583,13 @@ struct Meta<msg::EncodersCalibOffset4> {
       .name = "EncodersCalibOffset4",
       .command = "CMD_ENCODERS_CALIB_OFFSET_4",
       .summary = "Calibrate the offsets of the encoders.",
-      .id = 26,
-      .direction = Direction::to_board,
-      .min_size = 0,
-      .max_size = 1,
+      .id = 26, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 1,
       .since = {.board = 30},
       .effects = Effects(Effect::stores),
       .preparation = "Turn the motors off, and turn the camera by hand to the position in which all motor angles are zero: level, and straight to the frame."};
   static constexpr FieldInfo fields[] = {
-      {.name = "for_motor", .spec_name = "FOR_MOTOR",
-       .summary = "Motor whose encoder to calibrate.",
+      {.name = "for_motor", .spec_name = "FOR_MOTOR", .summary = "Motor whose encoder to calibrate.",
        .since = {.firmware = 2687}},
   };
   template <class T>
@@ -695,26 +608,20 @@ struct Meta<msg::EncodersCalibFldOffset4> {
       .name = "EncodersCalibFldOffset4",
       .command = "CMD_ENCODERS_CALIB_FLD_OFFSET_4",
       .summary = "Calibrate the offsets between encoders and the motors' magnetic fields.",
-      .id = 27,
-      .direction = Direction::to_board,
-      .min_size = 0,
-      .max_size = 14,
+      .id = 27, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 14,
       .since = {.board = 30},
       .effects = Effects(Effect::stores) | Effect::moves,
       .preparation = "Balance the camera, fasten the frame, and make sure that all axes turn freely: the motors turn the camera back and forth."};
   static constexpr FieldInfo fields[] = {
       {.name = "calib_angle", .spec_name = "CALIB_ANGLE",
        .summary = "Angle by which each motor turns; 40 degrees if omitted.",
-       .unit = &UnitMeta<msg::Angle14>::info,
-       .directed = Directed::unknown,
+       .unit = &UnitMeta<msg::Angle14>::info, .directed = Directed::unknown,
        .since = {.firmware = 2626}},
       {.name = "calib_speed", .spec_name = "CALIB_SPEED",
-       .summary = "Speed at which each motor turns.",
-       .unit = &UnitMeta<msg::GyroRate>::info,
-       .directed = Directed::unknown,
-       .since = {.firmware = 2711}},
-      {.name = "calib_flags", .spec_name = "CALIB_FLAGS",
-       .summary = "Checks to omit.",
+       .summary = "Speed at which each motor turns.", .unit = &UnitMeta<msg::GyroRate>::info,
+       .directed = Directed::unknown, .since = {.firmware = 2711}},
+      {.name = "calib_flags", .spec_name = "CALIB_FLAGS", .summary = "Checks to omit.",
        .since = {.firmware = 2708}},
   };
   template <class T>
@@ -737,26 +644,18 @@ struct Meta<msg::AutoPid> {
       .name = "AutoPid",
       .command = "CMD_AUTO_PID",
       .summary = "Progress of the automatic tuning.",
-      .id = 35,
-      .direction = Direction::from_board,
-      .min_size = 57,
-      .max_size = 57,
+      .id = 35, .direction = Direction::from_board,
+      .min_size = 57, .max_size = 57,
       .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
-      {.name = "p", .spec_name = "P",
-       .summary = "Proportional gain of each axis."},
-      {.name = "i", .spec_name = "I",
-       .summary = "Integral gain of each axis, as stored."},
-      {.name = "d", .spec_name = "D",
-       .summary = "Derivative gain of each axis."},
+      {.name = "p", .spec_name = "P", .summary = "Proportional gain of each axis."},
+      {.name = "i", .spec_name = "I", .summary = "Integral gain of each axis, as stored."},
+      {.name = "d", .spec_name = "D", .summary = "Derivative gain of each axis."},
       {.name = "lpf_freq", .spec_name = "LPF_FREQ",
        .summary = "Low-pass filter of each axis, as stored."},
-      {.name = "iter_num", .spec_name = "ITER_NUM",
-       .summary = "Number of completed iterations."},
-      {.name = "axes", .spec_name = "axes",
-       .summary = "Current result of each axis."},
-      {.name = "reserved", .spec_name = "RESERVED",
-       .summary = "Reserved; kept as it is.",
+      {.name = "iter_num", .spec_name = "ITER_NUM", .summary = "Number of completed iterations."},
+      {.name = "axes", .spec_name = "axes", .summary = "Current result of each axis."},
+      {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
   template <class T>
@@ -788,10 +687,8 @@ struct Meta<msg::AutoPidRequest> {
       .name = "AutoPidRequest",
       .command = "CMD_AUTO_PID",
       .summary = "Start or stop the automatic tuning.",
-      .id = 35,
-      .direction = Direction::to_board,
-      .min_size = 19,
-      .max_size = 19,
+      .id = 35, .direction = Direction::to_board,
+      .min_size = 19, .max_size = 19,
       .since = {.board = 30},
       .until = {.firmware = 2730}
 ,
@@ -808,25 +705,18 @@ struct Meta<msg::AutoPidRequest> {
       {0, "starts the tuning"},
   };
   static constexpr FieldInfo fields[] = {
-      {.name = "profile_id", .spec_name = "PROFILE_ID",
-       .summary = "Profile to switch to first.",
+      {.name = "profile_id", .spec_name = "PROFILE_ID", .summary = "Profile to switch to first.",
        .range = &profile_id_range},
-      {.name = "cfg_flags", .spec_name = "CFG_FLAGS",
-       .summary = "What to tune, and options.",
+      {.name = "cfg_flags", .spec_name = "CFG_FLAGS", .summary = "What to tune, and options.",
        .special = cfg_flags_special},
       {.name = "gain_vs_stability", .spec_name = "GAIN_VS_STABILITY",
        .summary = "Preference for high gains at the cost of stability.",
        .range = &gain_vs_stability_range},
-      {.name = "momentum", .spec_name = "MOMENTUM",
-       .summary = "Moment of inertia.",
-       .special = momentum_special,
-       .since = {.firmware = 2600}},
-      {.name = "action", .spec_name = "ACTION",
-       .summary = "Operation; only one is documented.",
-       .special = action_special,
-       .since = {.firmware = 2600}},
-      {.name = "reserved", .spec_name = "RESERVED",
-       .summary = "Reserved; kept as it is.",
+      {.name = "momentum", .spec_name = "MOMENTUM", .summary = "Moment of inertia.",
+       .special = momentum_special, .since = {.firmware = 2600}},
+      {.name = "action", .spec_name = "ACTION", .summary = "Operation; only one is documented.",
+       .special = action_special, .since = {.firmware = 2600}},
+      {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
   template <class T>
@@ -855,22 +745,16 @@ struct Meta<msg::AutoPid2> {
       .name = "AutoPid2",
       .command = "CMD_AUTO_PID2",
       .summary = "Tune the PID controllers automatically, in later firmware.",
-      .id = 108,
-      .direction = Direction::to_board,
-      .min_size = 11,
-      .max_size = 73,
+      .id = 108, .direction = Direction::to_board,
+      .min_size = 11, .max_size = 73,
       .since = {.firmware = 2730},
       .effects = Effects(Effect::stores) | Effect::moves};
   static constexpr FieldInfo fields[] = {
-      {.name = "action", .spec_name = "ACTION",
-       .summary = "Operation."},
-      {.name = "cmd_flags", .spec_name = "CMD_FLAGS",
-       .summary = "Options of this request."},
-      {.name = "reserved", .spec_name = "RESERVED",
-       .summary = "Reserved; kept as it is.",
+      {.name = "action", .spec_name = "ACTION", .summary = "Operation."},
+      {.name = "cmd_flags", .spec_name = "CMD_FLAGS", .summary = "Options of this request."},
+      {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
-      {.name = "config", .spec_name = "config",
-       .summary = "How to tune."},
+      {.name = "config", .spec_name = "config", .summary = "How to tune."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -894,16 +778,13 @@ struct Meta<msg::CalibOrientCorr> {
       .name = "CalibOrientCorr",
       .command = "CMD_CALIB_ORIENT_CORR",
       .summary = "Calibrate the orientation of the IMU.",
-      .id = 91,
-      .direction = Direction::to_board,
-      .min_size = 16,
-      .max_size = 16,
+      .id = 91, .direction = Direction::to_board,
+      .min_size = 16, .max_size = 16,
       .since = {.firmware = 2610},
       .effects = Effects(Effect::stores) | Effect::moves,
       .preparation = "Balance the camera, fasten the frame, and make sure that all axes turn freely: the motors turn the camera. Calibrate the gyroscope and the accelerometer first."};
   static constexpr FieldInfo fields[] = {
-      {.name = "reserved", .spec_name = "RESERVED",
-       .summary = "Reserved; kept as it is.",
+      {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
   template <class T>
@@ -922,26 +803,19 @@ struct Meta<msg::CalibCogging> {
       .name = "CalibCogging",
       .command = "CMD_CALIB_COGGING",
       .summary = "Calibrate the cogging of the motors, or delete this calibration.",
-      .id = 93,
-      .direction = Direction::to_board,
-      .min_size = 57,
-      .max_size = 57,
+      .id = 93, .direction = Direction::to_board,
+      .min_size = 57, .max_size = 57,
       .since = {.firmware = 2600},
       .effects = Effects(Effect::stores) | Effect::moves | Effect::erases,
       .preparation = "Balance the camera, fasten the frame, and make sure that the chosen axes turn freely: the motors turn the camera slowly, several times."};
   static constexpr Range iterations_num_range{2, 255};
   static constexpr FieldInfo fields[] = {
-      {.name = "action", .spec_name = "ACTION",
-       .summary = "Operation."},
-      {.name = "axes", .spec_name = "AXES",
-       .summary = "The motors."},
-      {.name = "motors", .spec_name = "motors",
-       .summary = "How to calibrate each motor."},
-      {.name = "iterations_num", .spec_name = "ITERATIONS_NUM",
-       .summary = "Number of repetitions.",
+      {.name = "action", .spec_name = "ACTION", .summary = "Operation."},
+      {.name = "axes", .spec_name = "AXES", .summary = "The motors."},
+      {.name = "motors", .spec_name = "motors", .summary = "How to calibrate each motor."},
+      {.name = "iterations_num", .spec_name = "ITERATIONS_NUM", .summary = "Number of repetitions.",
        .range = &iterations_num_range},
-      {.name = "reserved", .spec_name = "RESERVED",
-       .summary = "Reserved; kept as it is.",
+      {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
   template <class T>
@@ -983,20 +857,15 @@ struct Meta<msg::CalibAccExtRef> {
       .name = "CalibAccExtRef",
       .command = "CMD_CALIB_ACC_EXT_REF",
       .summary = "Calibrate the accelerometer with an external reference.",
-      .id = 94,
-      .direction = Direction::to_board,
-      .min_size = 20,
-      .max_size = 20,
+      .id = 94, .direction = Direction::to_board,
+      .min_size = 20, .max_size = 20,
       .since = {.firmware = 2627},
       .effects = Effects(Effect::stores),
       .preparation = "Leave the camera completely still, and determine the direction of gravity in the coordinates of the sensor with another instrument."};
   static constexpr FieldInfo fields[] = {
-      {.name = "acc_ref", .spec_name = "ACC_REF",
-       .summary = "Actual acceleration.",
-       .unit = &UnitMeta<msg::Acceleration>::info,
-       .directed = Directed::by_axis},
-      {.name = "reserved", .spec_name = "RESERVED",
-       .summary = "Reserved; kept as it is.",
+      {.name = "acc_ref", .spec_name = "ACC_REF", .summary = "Actual acceleration.",
+       .unit = &UnitMeta<msg::Acceleration>::info, .directed = Directed::by_axis},
+      {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
   template <class T>
@@ -1017,10 +886,8 @@ struct Meta<msg::BodeTestStartStop> {
       .name = "BodeTestStartStop",
       .command = "CMD_BODE_TEST_START_STOP",
       .summary = "End of the recording.",
-      .id = 37,
-      .direction = Direction::from_board,
-      .min_size = 22,
-      .max_size = 22,
+      .id = 37, .direction = Direction::from_board,
+      .min_size = 22, .max_size = 22,
       .since = {.firmware = 2500, .board = 30, .features = 0x08}};
   static constexpr Special error_code_special[] = {
       {0, "success"},
@@ -1028,13 +895,10 @@ struct Meta<msg::BodeTestStartStop> {
   static constexpr FieldInfo fields[] = {
       {.name = "samples_count", .spec_name = "SAMPLES_COUNT",
        .summary = "Number of samples; some firmware sends the index of the last one."},
-      {.name = "error_code", .spec_name = "ERROR_CODE",
-       .summary = "Reason of the end.",
+      {.name = "error_code", .spec_name = "ERROR_CODE", .summary = "Reason of the end.",
        .special = error_code_special},
-      {.name = "mode", .spec_name = "MODE",
-       .summary = "MODE of the request."},
-      {.name = "reserved", .spec_name = "RESERVED",
-       .summary = "Reserved; kept as it is.",
+      {.name = "mode", .spec_name = "MODE", .summary = "MODE of the request."},
+      {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
   template <class T>
@@ -1061,38 +925,27 @@ struct Meta<msg::BodeTestStartStopRequest> {
       .name = "BodeTestStartStopRequest",
       .command = "CMD_BODE_TEST_START_STOP",
       .summary = "Start the recording of a frequency response.",
-      .id = 37,
-      .direction = Direction::to_board,
-      .min_size = 30,
-      .max_size = 30,
+      .id = 37, .direction = Direction::to_board,
+      .min_size = 30, .max_size = 30,
       .since = {.firmware = 2500, .board = 30, .features = 0x08},
       .answers = answers,
       .effects = Effects(Effect::moves)};
   static constexpr Range stimulus_gain_range{1, 65535};
   static constexpr Range mode_range{0, 0};
   static constexpr FieldInfo fields[] = {
-      {.name = "axis", .spec_name = "AXIS",
-       .summary = "The axis."},
-      {.name = "stimulus_type", .spec_name = "STIMULUS_TYPE",
-       .summary = "Kind of stimulus."},
-      {.name = "stimulus_gain", .spec_name = "STIMULUS_GAIN",
-       .summary = "Strength of the stimulus.",
+      {.name = "axis", .spec_name = "AXIS", .summary = "The axis."},
+      {.name = "stimulus_type", .spec_name = "STIMULUS_TYPE", .summary = "Kind of stimulus."},
+      {.name = "stimulus_gain", .spec_name = "STIMULUS_GAIN", .summary = "Strength of the stimulus.",
        .range = &stimulus_gain_range},
-      {.name = "end_freq", .spec_name = "END_FREQ",
-       .summary = "Highest frequency.",
+      {.name = "end_freq", .spec_name = "END_FREQ", .summary = "Highest frequency.",
        .unit = &UnitMeta<msg::Frequency>::info},
-      {.name = "system", .spec_name = "SYSTEM",
-       .summary = "What is measured."},
+      {.name = "system", .spec_name = "SYSTEM", .summary = "What is measured."},
       {.name = "samples_num", .spec_name = "SAMPLES_NUM",
        .summary = "Number of samples, each of 0.8 ms."},
-      {.name = "mode", .spec_name = "MODE",
-       .summary = "Reserved.",
-       .range = &mode_range},
-      {.name = "start_freq", .spec_name = "START_FREQ",
-       .summary = "Lowest frequency.",
+      {.name = "mode", .spec_name = "MODE", .summary = "Reserved.", .range = &mode_range},
+      {.name = "start_freq", .spec_name = "START_FREQ", .summary = "Lowest frequency.",
        .unit = &UnitMeta<msg::Frequency>::info},
-      {.name = "reserved", .spec_name = "RESERVED",
-       .summary = "Reserved; kept as it is.",
+      {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
   template <class T>
@@ -1132,25 +985,17 @@ struct Meta<msg::BodeTestData> {
       .name = "BodeTestData",
       .command = "CMD_BODE_TEST_DATA",
       .summary = "Samples of a recording that runs.",
-      .id = 38,
-      .direction = Direction::from_board,
-      .min_size = 17,
-      .max_size = 97,
+      .id = 38, .direction = Direction::from_board,
+      .min_size = 17, .max_size = 97,
       .since = {.firmware = 2500, .board = 30, .features = 0x08}};
   static constexpr FieldInfo fields[] = {
       {.name = "sample_counter", .spec_name = "SAMPLE_COUNTER",
        .summary = "Index of the first sample, modulo 256; the next message begins where this one ends, unless samples are lost."},
-      {.name = "input_min", .spec_name = "INPUT_MIN",
-       .summary = "Input of raw value 0."},
-      {.name = "output_min", .spec_name = "OUTPUT_MIN",
-       .summary = "Output of raw value 0."},
-      {.name = "input_max", .spec_name = "INPUT_MAX",
-       .summary = "Input of raw value 65534."},
-      {.name = "output_max", .spec_name = "OUTPUT_MAX",
-       .summary = "Output of raw value 65534."},
-      {.name = "samples", .spec_name = "samples",
-       .summary = "The samples.",
-       .max_count = 20},
+      {.name = "input_min", .spec_name = "INPUT_MIN", .summary = "Input of raw value 0."},
+      {.name = "output_min", .spec_name = "OUTPUT_MIN", .summary = "Output of raw value 0."},
+      {.name = "input_max", .spec_name = "INPUT_MAX", .summary = "Input of raw value 65534."},
+      {.name = "output_max", .spec_name = "OUTPUT_MAX", .summary = "Output of raw value 65534."},
+      {.name = "samples", .spec_name = "samples", .summary = "The samples.", .max_count = 20},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -1178,14 +1023,11 @@ struct Meta<msg::CoggingCalibInfo> {
       .name = "CoggingCalibInfo",
       .command = "CMD_COGGING_CALIB_INFO",
       .summary = "Undocumented body from the board.",
-      .id = 92,
-      .direction = Direction::from_board,
-      .min_size = 0,
-      .max_size = 255,
+      .id = 92, .direction = Direction::from_board,
+      .min_size = 0, .max_size = 255,
       .since = {.firmware = 2600}};
   static constexpr FieldInfo fields[] = {
-      {.name = "data", .spec_name = "DATA",
-       .summary = "Undocumented content."},
+      {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -1203,15 +1045,12 @@ struct Meta<msg::CoggingCalibInfoRequest> {
       .name = "CoggingCalibInfoRequest",
       .command = "CMD_COGGING_CALIB_INFO",
       .summary = "Undocumented body to the board.",
-      .id = 92,
-      .direction = Direction::to_board,
-      .min_size = 0,
-      .max_size = 255,
+      .id = 92, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 255,
       .since = {.firmware = 2600},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
-      {.name = "data", .spec_name = "DATA",
-       .summary = "Undocumented content."},
+      {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -1229,14 +1068,11 @@ struct Meta<msg::CanDrvHardParams> {
       .name = "CanDrvHardParams",
       .command = "CMD_CAN_DRV_HARD_PARAMS",
       .summary = "Undocumented body from the board.",
-      .id = 97,
-      .direction = Direction::from_board,
-      .min_size = 0,
-      .max_size = 255,
+      .id = 97, .direction = Direction::from_board,
+      .min_size = 0, .max_size = 255,
       .since = {.firmware = 2600}};
   static constexpr FieldInfo fields[] = {
-      {.name = "data", .spec_name = "DATA",
-       .summary = "Undocumented content."},
+      {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -1254,15 +1090,12 @@ struct Meta<msg::CanDrvHardParamsRequest> {
       .name = "CanDrvHardParamsRequest",
       .command = "CMD_CAN_DRV_HARD_PARAMS",
       .summary = "Undocumented body to the board.",
-      .id = 97,
-      .direction = Direction::to_board,
-      .min_size = 0,
-      .max_size = 255,
+      .id = 97, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 255,
       .since = {.firmware = 2600},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
-      {.name = "data", .spec_name = "DATA",
-       .summary = "Undocumented content."},
+      {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -1280,14 +1113,11 @@ struct Meta<msg::CanDrvCalibrate> {
       .name = "CanDrvCalibrate",
       .command = "CMD_CAN_DRV_CALIBRATE",
       .summary = "Undocumented body from the board.",
-      .id = 99,
-      .direction = Direction::from_board,
-      .min_size = 0,
-      .max_size = 255,
+      .id = 99, .direction = Direction::from_board,
+      .min_size = 0, .max_size = 255,
       .since = {.firmware = 2600}};
   static constexpr FieldInfo fields[] = {
-      {.name = "data", .spec_name = "DATA",
-       .summary = "Undocumented content."},
+      {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -1305,15 +1135,12 @@ struct Meta<msg::CanDrvCalibrateRequest> {
       .name = "CanDrvCalibrateRequest",
       .command = "CMD_CAN_DRV_CALIBRATE",
       .summary = "Undocumented body to the board.",
-      .id = 99,
-      .direction = Direction::to_board,
-      .min_size = 0,
-      .max_size = 255,
+      .id = 99, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 255,
       .since = {.firmware = 2600},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
-      {.name = "data", .spec_name = "DATA",
-       .summary = "Undocumented content."},
+      {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -1331,14 +1158,11 @@ struct Meta<msg::CalibEncoderLut> {
       .name = "CalibEncoderLut",
       .command = "CMD_CALIB_ENCODER_LUT",
       .summary = "Undocumented body from the board.",
-      .id = 117,
-      .direction = Direction::from_board,
-      .min_size = 0,
-      .max_size = 255,
+      .id = 117, .direction = Direction::from_board,
+      .min_size = 0, .max_size = 255,
       .since = {.firmware = 2600}};
   static constexpr FieldInfo fields[] = {
-      {.name = "data", .spec_name = "DATA",
-       .summary = "Undocumented content."},
+      {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -1356,15 +1180,12 @@ struct Meta<msg::CalibEncoderLutRequest> {
       .name = "CalibEncoderLutRequest",
       .command = "CMD_CALIB_ENCODER_LUT",
       .summary = "Undocumented body to the board.",
-      .id = 117,
-      .direction = Direction::to_board,
-      .min_size = 0,
-      .max_size = 255,
+      .id = 117, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 255,
       .since = {.firmware = 2600},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
-      {.name = "data", .spec_name = "DATA",
-       .summary = "Undocumented content."},
+      {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -1382,14 +1203,11 @@ struct Meta<msg::CalibEncoderLutRes> {
       .name = "CalibEncoderLutRes",
       .command = "CMD_CALIB_ENCODER_LUT_RES",
       .summary = "Undocumented body from the board.",
-      .id = 118,
-      .direction = Direction::from_board,
-      .min_size = 0,
-      .max_size = 255,
+      .id = 118, .direction = Direction::from_board,
+      .min_size = 0, .max_size = 255,
       .since = {.firmware = 2600}};
   static constexpr FieldInfo fields[] = {
-      {.name = "data", .spec_name = "DATA",
-       .summary = "Undocumented content."},
+      {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -1407,15 +1225,12 @@ struct Meta<msg::CalibEncoderLutResRequest> {
       .name = "CalibEncoderLutResRequest",
       .command = "CMD_CALIB_ENCODER_LUT_RES",
       .summary = "Undocumented body to the board.",
-      .id = 118,
-      .direction = Direction::to_board,
-      .min_size = 0,
-      .max_size = 255,
+      .id = 118, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 255,
       .since = {.firmware = 2600},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
-      {.name = "data", .spec_name = "DATA",
-       .summary = "Undocumented content."},
+      {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -1433,14 +1248,11 @@ struct Meta<msg::CalibCurSens> {
       .name = "CalibCurSens",
       .command = "CMD_CALIB_CUR_SENS",
       .summary = "Undocumented body from the board.",
-      .id = 120,
-      .direction = Direction::from_board,
-      .min_size = 0,
-      .max_size = 255,
+      .id = 120, .direction = Direction::from_board,
+      .min_size = 0, .max_size = 255,
       .since = {.firmware = 2600}};
   static constexpr FieldInfo fields[] = {
-      {.name = "data", .spec_name = "DATA",
-       .summary = "Undocumented content."},
+      {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -1458,15 +1270,12 @@ struct Meta<msg::CalibCurSensRequest> {
       .name = "CalibCurSensRequest",
       .command = "CMD_CALIB_CUR_SENS",
       .summary = "Undocumented body to the board.",
-      .id = 120,
-      .direction = Direction::to_board,
-      .min_size = 0,
-      .max_size = 255,
+      .id = 120, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 255,
       .since = {.firmware = 2600},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
-      {.name = "data", .spec_name = "DATA",
-       .summary = "Undocumented content."},
+      {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -1484,15 +1293,12 @@ struct Meta<msg::EncIntCalib> {
       .name = "EncIntCalib",
       .command = "CMD_ENC_INT_CALIB",
       .summary = "Undocumented body from the board.",
-      .id = 122,
-      .direction = Direction::from_board,
-      .min_size = 0,
-      .max_size = 255,
+      .id = 122, .direction = Direction::from_board,
+      .min_size = 0, .max_size = 255,
       .since = {.firmware = 2600},
       .unconfirmed = true};
   static constexpr FieldInfo fields[] = {
-      {.name = "data", .spec_name = "DATA",
-       .summary = "Undocumented content."},
+      {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -1510,16 +1316,13 @@ struct Meta<msg::EncIntCalibRequest> {
       .name = "EncIntCalibRequest",
       .command = "CMD_ENC_INT_CALIB",
       .summary = "Undocumented body to the board.",
-      .id = 122,
-      .direction = Direction::to_board,
-      .min_size = 0,
-      .max_size = 255,
+      .id = 122, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 255,
       .since = {.firmware = 2600},
       .unconfirmed = true,
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
-      {.name = "data", .spec_name = "DATA",
-       .summary = "Undocumented content."},
+      {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -1537,15 +1340,12 @@ struct Meta<msg::VibrationTestStartStop> {
       .name = "VibrationTestStartStop",
       .command = "CMD_VIBRATION_TEST_START_STOP",
       .summary = "Undocumented body from the board.",
-      .id = 125,
-      .direction = Direction::from_board,
-      .min_size = 0,
-      .max_size = 255,
+      .id = 125, .direction = Direction::from_board,
+      .min_size = 0, .max_size = 255,
       .since = {.firmware = 2600},
       .unconfirmed = true};
   static constexpr FieldInfo fields[] = {
-      {.name = "data", .spec_name = "DATA",
-       .summary = "Undocumented content."},
+      {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -1563,16 +1363,13 @@ struct Meta<msg::VibrationTestStartStopRequest> {
       .name = "VibrationTestStartStopRequest",
       .command = "CMD_VIBRATION_TEST_START_STOP",
       .summary = "Undocumented body to the board.",
-      .id = 125,
-      .direction = Direction::to_board,
-      .min_size = 0,
-      .max_size = 255,
+      .id = 125, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 255,
       .since = {.firmware = 2600},
       .unconfirmed = true,
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
-      {.name = "data", .spec_name = "DATA",
-       .summary = "Undocumented content."},
+      {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -1590,15 +1387,12 @@ struct Meta<msg::VibrationTestData> {
       .name = "VibrationTestData",
       .command = "CMD_VIBRATION_TEST_DATA",
       .summary = "Undocumented body from the board.",
-      .id = 126,
-      .direction = Direction::from_board,
-      .min_size = 0,
-      .max_size = 255,
+      .id = 126, .direction = Direction::from_board,
+      .min_size = 0, .max_size = 255,
       .since = {.firmware = 2600},
       .unconfirmed = true};
   static constexpr FieldInfo fields[] = {
-      {.name = "data", .spec_name = "DATA",
-       .summary = "Undocumented content."},
+      {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -1616,16 +1410,13 @@ struct Meta<msg::VibrationTestDataRequest> {
       .name = "VibrationTestDataRequest",
       .command = "CMD_VIBRATION_TEST_DATA",
       .summary = "Undocumented body to the board.",
-      .id = 126,
-      .direction = Direction::to_board,
-      .min_size = 0,
-      .max_size = 255,
+      .id = 126, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 255,
       .since = {.firmware = 2600},
       .unconfirmed = true,
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
-      {.name = "data", .spec_name = "DATA",
-       .summary = "Undocumented content."},
+      {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {

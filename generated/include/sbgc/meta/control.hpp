@@ -20,14 +20,11 @@ struct Meta<msg::ControlAxis> {
   static constexpr FieldInfo fields[] = {
       {.name = "speed", .spec_name = "SPEED_{AXIS}",
        .summary = "Speed of the motion; the acceleration limit in the parameters may restrict it.",
-       .unit = &UnitMeta<msg::ControlSpeed>::info,
-       .directed = Directed::by_axis,
+       .unit = &UnitMeta<msg::ControlSpeed>::info, .directed = Directed::by_axis,
        .alternative = &speed_alternative},
       {.name = "angle", .spec_name = "ANGLE_{AXIS}",
        .summary = "Target angle; in MODE_RC the RC signal, -500 to 500, in MODE_RC_HIGH_RES -16384 to 16384.",
-       .unit = &UnitMeta<msg::Angle14>::info,
-       .range = &angle_range,
-       .directed = Directed::by_axis},
+       .unit = &UnitMeta<msg::Angle14>::info, .range = &angle_range, .directed = Directed::by_axis},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -46,30 +43,19 @@ struct Meta<msg::ControlExtAxis> {
   static constexpr AlternativeUnit speed_alternative{"mode", 0x80, &UnitMeta<msg::FineSpeed>::info};
   static constexpr Range angle_range{-32768, 32767};
   static constexpr FieldInfo fields[] = {
-      {.name = "mode", .spec_name = "{AXIS}_MODE",
-       .summary = "Mode."},
-      {.name = "flags", .spec_name = "{AXIS}_FLAGS",
-       .summary = "Further options."},
-      {.name = "speed", .spec_name = "{AXIS}_SPEED",
-       .summary = "Speed.",
-       .unit = &UnitMeta<msg::ControlSpeed>::info,
-       .directed = Directed::by_axis,
+      {.name = "mode", .spec_name = "{AXIS}_MODE", .summary = "Mode."},
+      {.name = "flags", .spec_name = "{AXIS}_FLAGS", .summary = "Further options."},
+      {.name = "speed", .spec_name = "{AXIS}_SPEED", .summary = "Speed.",
+       .unit = &UnitMeta<msg::ControlSpeed>::info, .directed = Directed::by_axis,
        .alternative = &speed_alternative},
-      {.name = "speed_32", .spec_name = "{AXIS}_SPEED_32",
-       .summary = "Speed, with 32 bits.",
-       .unit = &UnitMeta<msg::LongFineSpeed>::info,
-       .directed = Directed::by_axis,
+      {.name = "speed_32", .spec_name = "{AXIS}_SPEED_32", .summary = "Speed, with 32 bits.",
+       .unit = &UnitMeta<msg::LongFineSpeed>::info, .directed = Directed::by_axis,
        .unconfirmed = true},
       {.name = "angle", .spec_name = "{AXIS}_ANGLE",
        .summary = "Target angle, or an RC signal as in CMD_CONTROL.",
-       .unit = &UnitMeta<msg::Angle14>::info,
-       .range = &angle_range,
-       .directed = Directed::by_axis},
-      {.name = "angle_32", .spec_name = "{AXIS}_ANGLE_32",
-       .summary = "Target angle, with 32 bits.",
-       .unit = &UnitMeta<msg::Angle20>::info,
-       .directed = Directed::by_axis,
-       .unconfirmed = true},
+       .unit = &UnitMeta<msg::Angle14>::info, .range = &angle_range, .directed = Directed::by_axis},
+      {.name = "angle_32", .spec_name = "{AXIS}_ANGLE_32", .summary = "Target angle, with 32 bits.",
+       .unit = &UnitMeta<msg::Angle20>::info, .directed = Directed::by_axis, .unconfirmed = true},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -111,24 +97,16 @@ struct Meta<msg::ControlConfigAxis> {
        .summary = "Low-pass filter of the angle, 0 (off) to 15."},
       {.name = "speed_lpf", .spec_name = "SPEED_LPF",
        .summary = "Low-pass filter of the speed, 0 (off) to 15."},
-      {.name = "rc_lpf", .spec_name = "RC_LPF",
-       .summary = "Low-pass filter of an RC signal.",
-       .range = &rc_lpf_range,
-       .special = rc_lpf_special},
-      {.name = "acc_limit", .spec_name = "ACC_LIMIT",
-       .summary = "Acceleration limit in all modes.",
-       .unit = &UnitMeta<msg::LongAngularAcceleration>::info,
-       .range = &acc_limit_range,
-       .special = acc_limit_special,
-       .since = {.firmware = 2701}},
+      {.name = "rc_lpf", .spec_name = "RC_LPF", .summary = "Low-pass filter of an RC signal.",
+       .range = &rc_lpf_range, .special = rc_lpf_special},
+      {.name = "acc_limit", .spec_name = "ACC_LIMIT", .summary = "Acceleration limit in all modes.",
+       .unit = &UnitMeta<msg::LongAngularAcceleration>::info, .range = &acc_limit_range,
+       .special = acc_limit_special, .since = {.firmware = 2701}},
       {.name = "jerk_slope", .spec_name = "JERK_SLOPE",
        .summary = "Time in which the acceleration rises to its limit.",
-       .unit = &UnitMeta<msg::JerkTime>::info,
-       .range = &jerk_slope_range,
-       .special = jerk_slope_special,
-       .since = {.firmware = 2708}},
-      {.name = "reserved", .spec_name = "RESERVED",
-       .summary = "Reserved; kept as it is.",
+       .unit = &UnitMeta<msg::JerkTime>::info, .range = &jerk_slope_range,
+       .special = jerk_slope_special, .since = {.firmware = 2708}},
+      {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
   template <class T>
@@ -158,18 +136,15 @@ struct Meta<msg::AxisState> {
   static constexpr FieldInfo fields[] = {
       {.name = "imu_angle", .spec_name = "IMU_ANGLE",
        .summary = "Measured angle; wraps after two full turns.",
-       .unit = &UnitMeta<msg::Angle14>::info,
-       .range = &imu_angle_range,
+       .unit = &UnitMeta<msg::Angle14>::info, .range = &imu_angle_range,
        .directed = Directed::by_axis},
       {.name = "rc_target_angle", .spec_name = "RC_TARGET_ANGLE",
        .summary = "Target angle, set by RC or by control commands.",
-       .unit = &UnitMeta<msg::Angle14>::info,
-       .range = &rc_target_angle_range,
+       .unit = &UnitMeta<msg::Angle14>::info, .range = &rc_target_angle_range,
        .directed = Directed::by_axis},
       {.name = "rc_speed", .spec_name = "RC_SPEED",
        .summary = "Target speed; 0 once the target is reached.",
-       .unit = &UnitMeta<msg::ControlSpeed>::info,
-       .directed = Directed::by_axis},
+       .unit = &UnitMeta<msg::ControlSpeed>::info, .directed = Directed::by_axis},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -192,20 +167,15 @@ struct Meta<msg::AxisStateExt> {
   static constexpr FieldInfo fields[] = {
       {.name = "imu_angle", .spec_name = "IMU_ANGLE",
        .summary = "Measured angle; wraps after two full turns.",
-       .unit = &UnitMeta<msg::Angle14>::info,
-       .range = &imu_angle_range,
+       .unit = &UnitMeta<msg::Angle14>::info, .range = &imu_angle_range,
        .directed = Directed::by_axis},
-      {.name = "rc_target_angle", .spec_name = "RC_TARGET_ANGLE",
-       .summary = "Target angle.",
-       .unit = &UnitMeta<msg::Angle14>::info,
-       .range = &rc_target_angle_range,
+      {.name = "rc_target_angle", .spec_name = "RC_TARGET_ANGLE", .summary = "Target angle.",
+       .unit = &UnitMeta<msg::Angle14>::info, .range = &rc_target_angle_range,
        .directed = Directed::by_axis},
       {.name = "stator_rotor_angle", .spec_name = "STATOR_ROTOR_ANGLE",
        .summary = "Angle of the joint, from an encoder or the second IMU; 0 in the normal position, accumulated over full turns.",
-       .unit = &UnitMeta<msg::LongAngle14>::info,
-       .directed = Directed::by_axis},
-      {.name = "reserved", .spec_name = "RESERVED",
-       .summary = "Reserved; kept as it is.",
+       .unit = &UnitMeta<msg::LongAngle14>::info, .directed = Directed::by_axis},
+      {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
   template <class T>
@@ -230,16 +200,12 @@ struct Meta<msg::Control> {
       .name = "Control",
       .command = "CMD_CONTROL",
       .summary = "Move the camera, with one mode for all axes.",
-      .id = 67,
-      .direction = Direction::to_board,
-      .min_size = 13,
-      .max_size = 13,
+      .id = 67, .direction = Direction::to_board,
+      .min_size = 13, .max_size = 13,
       .effects = Effects(Effect::moves)};
   static constexpr FieldInfo fields[] = {
-      {.name = "control_mode", .spec_name = "CONTROL_MODE",
-       .summary = "Mode of all three axes."},
-      {.name = "axes", .spec_name = "axes",
-       .summary = "Target of each axis."},
+      {.name = "control_mode", .spec_name = "CONTROL_MODE", .summary = "Mode of all three axes."},
+      {.name = "axes", .spec_name = "axes", .summary = "Target of each axis."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -259,17 +225,13 @@ struct Meta<msg::ControlExt> {
       .name = "ControlExt",
       .command = "CMD_CONTROL",
       .summary = "Move the camera, with a mode for each axis.",
-      .id = 67,
-      .direction = Direction::to_board,
-      .min_size = 15,
-      .max_size = 15,
+      .id = 67, .direction = Direction::to_board,
+      .min_size = 15, .max_size = 15,
       .since = {.firmware = 2555},
       .effects = Effects(Effect::moves)};
   static constexpr FieldInfo fields[] = {
-      {.name = "control_mode", .spec_name = "CONTROL_MODE_{AXIS}",
-       .summary = "Mode of each axis."},
-      {.name = "axes", .spec_name = "axes",
-       .summary = "Target of each axis."},
+      {.name = "control_mode", .spec_name = "CONTROL_MODE_{AXIS}", .summary = "Mode of each axis."},
+      {.name = "axes", .spec_name = "axes", .summary = "Target of each axis."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -289,17 +251,14 @@ struct Meta<msg::ControlExtCommand> {
       .name = "ControlExtCommand",
       .command = "CMD_CONTROL_EXT",
       .summary = "Move the camera, with the data that each axis needs.",
-      .id = 121,
-      .direction = Direction::to_board,
-      .min_size = 2,
-      .max_size = 32,
+      .id = 121, .direction = Direction::to_board,
+      .min_size = 2, .max_size = 32,
       .since = {.firmware = 2680},
       .effects = Effects(Effect::moves)};
   static constexpr FieldInfo fields[] = {
       {.name = "data_set", .spec_name = "DATA_SET",
        .summary = "Which of the following fields are present."},
-      {.name = "axes", .spec_name = "axes",
-       .summary = "Motion of each axis."},
+      {.name = "axes", .spec_name = "axes", .summary = "Motion of each axis."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -319,10 +278,8 @@ struct Meta<msg::ControlConfig> {
       .name = "ControlConfig",
       .command = "CMD_CONTROL_CONFIG",
       .summary = "Configure serial control until the next start.",
-      .id = 90,
-      .direction = Direction::to_board,
-      .min_size = 41,
-      .max_size = 41,
+      .id = 90, .direction = Direction::to_board,
+      .min_size = 41, .max_size = 41,
       .since = {.firmware = 2610},
       .effects = Effects(Effect::sets) | Effect::moves};
   static constexpr Special timeout_ms_special[] = {
@@ -340,28 +297,20 @@ struct Meta<msg::ControlConfig> {
   static constexpr FieldInfo fields[] = {
       {.name = "timeout_ms", .spec_name = "TIMEOUT_MS",
        .summary = "Time without a control command after which serial control ends and RC takes over, which is not a stop.",
-       .unit = &UnitMeta<msg::Milliseconds>::info,
-       .special = timeout_ms_special},
+       .unit = &UnitMeta<msg::Milliseconds>::info, .special = timeout_ms_special},
       {.name = "ch_priority", .spec_name = "CH{1..4}_PRIORITY",
        .summary = "Priority of UART1, RC_SERIAL, UART2 and USB_VCP or UART3.",
-       .range = &ch_priority_range,
-       .special = ch_priority_special},
+       .range = &ch_priority_range, .special = ch_priority_special},
       {.name = "this_ch_priority", .spec_name = "THIS_CH_PRIORITY",
-       .summary = "Priority of this port.",
-       .range = &this_ch_priority_range,
+       .summary = "Priority of this port.", .range = &this_ch_priority_range,
        .special = this_ch_priority_special},
-      {.name = "axes", .spec_name = "axes",
-       .summary = "Options of each axis."},
-      {.name = "rc_expo_rate", .spec_name = "RC_EXPO_RATE",
-       .summary = "Expo rate of RC signals.",
+      {.name = "axes", .spec_name = "axes", .summary = "Options of each axis."},
+      {.name = "rc_expo_rate", .spec_name = "RC_EXPO_RATE", .summary = "Expo rate of RC signals.",
        .range = &rc_expo_rate_range},
-      {.name = "flags", .spec_name = "FLAGS",
-       .summary = "Options."},
-      {.name = "euler_order", .spec_name = "EULER_ORDER",
-       .summary = "Order of the Euler angles.",
+      {.name = "flags", .spec_name = "FLAGS", .summary = "Options."},
+      {.name = "euler_order", .spec_name = "EULER_ORDER", .summary = "Order of the Euler angles.",
        .since = {.firmware = 2720}},
-      {.name = "reserved", .spec_name = "RESERVED",
-       .summary = "Reserved; kept as it is.",
+      {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
   template <class T>
@@ -394,19 +343,14 @@ struct Meta<msg::ControlQuatDisabled> {
       .name = "ControlQuatDisabled",
       .command = "CMD_CONTROL_QUAT",
       .summary = "End control with quaternions.",
-      .id = 140,
-      .direction = Direction::to_board,
-      .min_size = 2,
-      .max_size = 2,
+      .id = 140, .direction = Direction::to_board,
+      .min_size = 2, .max_size = 2,
       .since = {.firmware = 2730, .features = 0x800000000},
       .effects = Effects(Effect::moves)};
   static constexpr Range mode_range{0, 0};
   static constexpr FieldInfo fields[] = {
-      {.name = "mode", .spec_name = "MODE",
-       .summary = "Always DISABLED.",
-       .range = &mode_range},
-      {.name = "flags", .spec_name = "FLAGS",
-       .summary = "Options."},
+      {.name = "mode", .spec_name = "MODE", .summary = "Always DISABLED.", .range = &mode_range},
+      {.name = "flags", .spec_name = "FLAGS", .summary = "Options."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -426,20 +370,15 @@ struct Meta<msg::ControlQuatSpeed> {
       .name = "ControlQuatSpeed",
       .command = "CMD_CONTROL_QUAT",
       .summary = "Turn the camera at a speed.",
-      .id = 140,
-      .direction = Direction::to_board,
-      .min_size = 14,
-      .max_size = 14,
+      .id = 140, .direction = Direction::to_board,
+      .min_size = 14, .max_size = 14,
       .since = {.firmware = 2730, .features = 0x800000000},
       .effects = Effects(Effect::moves)};
   static constexpr FieldInfo fields[] = {
-      {.name = "mode", .spec_name = "MODE",
-       .summary = "SPEED or SPEED_LIMITED."},
-      {.name = "flags", .spec_name = "FLAGS",
-       .summary = "Options."},
+      {.name = "mode", .spec_name = "MODE", .summary = "SPEED or SPEED_LIMITED."},
+      {.name = "flags", .spec_name = "FLAGS", .summary = "Options."},
       {.name = "target_speed", .spec_name = "TARGET_SPEED",
-       .summary = "Rotation vector of the motion.",
-       .unit = &UnitMeta<msg::RadianRate>::info,
+       .summary = "Rotation vector of the motion.", .unit = &UnitMeta<msg::RadianRate>::info,
        .directed = Directed::by_axis},
   };
   template <class T>
@@ -462,23 +401,17 @@ struct Meta<msg::ControlQuatAttitude> {
       .name = "ControlQuatAttitude",
       .command = "CMD_CONTROL_QUAT",
       .summary = "Turn the camera to an attitude.",
-      .id = 140,
-      .direction = Direction::to_board,
-      .min_size = 18,
-      .max_size = 18,
+      .id = 140, .direction = Direction::to_board,
+      .min_size = 18, .max_size = 18,
       .since = {.firmware = 2730, .features = 0x800000000},
       .effects = Effects(Effect::moves)};
   static constexpr Range mode_range{2, 2};
   static constexpr Range target_attitude_range{-1, 1};
   static constexpr FieldInfo fields[] = {
-      {.name = "mode", .spec_name = "MODE",
-       .summary = "Always ATTITUDE.",
-       .range = &mode_range},
-      {.name = "flags", .spec_name = "FLAGS",
-       .summary = "Options."},
+      {.name = "mode", .spec_name = "MODE", .summary = "Always ATTITUDE.", .range = &mode_range},
+      {.name = "flags", .spec_name = "FLAGS", .summary = "Options."},
       {.name = "target_attitude", .spec_name = "TARGET_ATTITUDE",
-       .summary = "Quaternion of length 1: W, X, Y, Z.",
-       .range = &target_attitude_range},
+       .summary = "Quaternion of length 1: W, X, Y, Z.", .range = &target_attitude_range},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -500,21 +433,15 @@ struct Meta<msg::ControlQuatAttitudePacked> {
       .name = "ControlQuatAttitudePacked",
       .command = "CMD_CONTROL_QUAT",
       .summary = "Turn the camera to an attitude, packed.",
-      .id = 140,
-      .direction = Direction::to_board,
-      .min_size = 10,
-      .max_size = 10,
+      .id = 140, .direction = Direction::to_board,
+      .min_size = 10, .max_size = 10,
       .since = {.firmware = 2730, .features = 0x800000000},
       .effects = Effects(Effect::moves)};
   static constexpr Range mode_range{2, 2};
   static constexpr FieldInfo fields[] = {
-      {.name = "mode", .spec_name = "MODE",
-       .summary = "Always ATTITUDE.",
-       .range = &mode_range},
-      {.name = "flags", .spec_name = "FLAGS",
-       .summary = "Options, with ATTITUDE_PACKED."},
-      {.name = "target_attitude", .spec_name = "TARGET_ATTITUDE",
-       .summary = "The attitude."},
+      {.name = "mode", .spec_name = "MODE", .summary = "Always ATTITUDE.", .range = &mode_range},
+      {.name = "flags", .spec_name = "FLAGS", .summary = "Options, with ATTITUDE_PACKED."},
+      {.name = "target_attitude", .spec_name = "TARGET_ATTITUDE", .summary = "The attitude."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -536,26 +463,20 @@ struct Meta<msg::ControlQuatSpeedAttitude> {
       .name = "ControlQuatSpeedAttitude",
       .command = "CMD_CONTROL_QUAT",
       .summary = "Turn the camera at a speed and hold it to an attitude.",
-      .id = 140,
-      .direction = Direction::to_board,
-      .min_size = 30,
-      .max_size = 30,
+      .id = 140, .direction = Direction::to_board,
+      .min_size = 30, .max_size = 30,
       .since = {.firmware = 2730, .features = 0x800000000},
       .effects = Effects(Effect::moves)};
   static constexpr Range mode_range{5, 5};
   static constexpr Range target_attitude_range{-1, 1};
   static constexpr FieldInfo fields[] = {
-      {.name = "mode", .spec_name = "MODE",
-       .summary = "Always SPEED_ATTITUDE.",
+      {.name = "mode", .spec_name = "MODE", .summary = "Always SPEED_ATTITUDE.",
        .range = &mode_range},
-      {.name = "flags", .spec_name = "FLAGS",
-       .summary = "Options."},
+      {.name = "flags", .spec_name = "FLAGS", .summary = "Options."},
       {.name = "target_attitude", .spec_name = "TARGET_ATTITUDE",
-       .summary = "Quaternion of length 1: W, X, Y, Z.",
-       .range = &target_attitude_range},
+       .summary = "Quaternion of length 1: W, X, Y, Z.", .range = &target_attitude_range},
       {.name = "target_speed", .spec_name = "TARGET_SPEED",
-       .summary = "Rotation vector of the motion.",
-       .unit = &UnitMeta<msg::RadianRate>::info,
+       .summary = "Rotation vector of the motion.", .unit = &UnitMeta<msg::RadianRate>::info,
        .directed = Directed::by_axis},
   };
   template <class T>
@@ -580,24 +501,18 @@ struct Meta<msg::ControlQuatSpeedAttitudePacked> {
       .name = "ControlQuatSpeedAttitudePacked",
       .command = "CMD_CONTROL_QUAT",
       .summary = "Turn the camera at a speed and hold it to an attitude, packed.",
-      .id = 140,
-      .direction = Direction::to_board,
-      .min_size = 22,
-      .max_size = 22,
+      .id = 140, .direction = Direction::to_board,
+      .min_size = 22, .max_size = 22,
       .since = {.firmware = 2730, .features = 0x800000000},
       .effects = Effects(Effect::moves)};
   static constexpr Range mode_range{5, 5};
   static constexpr FieldInfo fields[] = {
-      {.name = "mode", .spec_name = "MODE",
-       .summary = "Always SPEED_ATTITUDE.",
+      {.name = "mode", .spec_name = "MODE", .summary = "Always SPEED_ATTITUDE.",
        .range = &mode_range},
-      {.name = "flags", .spec_name = "FLAGS",
-       .summary = "Options, with ATTITUDE_PACKED."},
-      {.name = "target_attitude", .spec_name = "TARGET_ATTITUDE",
-       .summary = "The attitude."},
+      {.name = "flags", .spec_name = "FLAGS", .summary = "Options, with ATTITUDE_PACKED."},
+      {.name = "target_attitude", .spec_name = "TARGET_ATTITUDE", .summary = "The attitude."},
       {.name = "target_speed", .spec_name = "TARGET_SPEED",
-       .summary = "Rotation vector of the motion.",
-       .unit = &UnitMeta<msg::RadianRate>::info,
+       .summary = "Rotation vector of the motion.", .unit = &UnitMeta<msg::RadianRate>::info,
        .directed = Directed::by_axis},
   };
   template <class T>
@@ -622,10 +537,8 @@ struct Meta<msg::ControlQuatStatus> {
       .name = "ControlQuatStatus",
       .command = "CMD_CONTROL_QUAT_STATUS",
       .summary = "State of the control with quaternions.",
-      .id = 141,
-      .direction = Direction::from_board,
-      .min_size = 2,
-      .max_size = 97,
+      .id = 141, .direction = Direction::from_board,
+      .min_size = 2, .max_size = 97,
       .since = {.firmware = 2730, .features = 0x800000000}};
   static constexpr Range target_attitude_range{-1, 1};
   static constexpr Range setpoint_attitude_range{-1, 1};
@@ -634,33 +547,23 @@ struct Meta<msg::ControlQuatStatus> {
       {.name = "data_set", .spec_name = "DATA_SET",
        .summary = "Which of the following fields are present."},
       {.name = "data_set_high", .spec_name = "DATA_SET_HIGH",
-       .summary = "The upper half of DATA_SET, if that has 32 bits.",
-       .unconfirmed = true},
-      {.name = "mode", .spec_name = "MODE",
-       .summary = "Mode of the last command."},
-      {.name = "flags", .spec_name = "FLAGS",
-       .summary = "Options of the last command."},
+       .summary = "The upper half of DATA_SET, if that has 32 bits.", .unconfirmed = true},
+      {.name = "mode", .spec_name = "MODE", .summary = "Mode of the last command."},
+      {.name = "flags", .spec_name = "FLAGS", .summary = "Options of the last command."},
       {.name = "target_attitude", .spec_name = "TARGET_ATTITUDE",
-       .summary = "Attitude of the last command: W, X, Y, Z.",
-       .range = &target_attitude_range},
+       .summary = "Attitude of the last command: W, X, Y, Z.", .range = &target_attitude_range},
       {.name = "setpoint_attitude", .spec_name = "SETPOINT_ATTITUDE",
        .summary = "Attitude that the board stabilizes: W, X, Y, Z.",
        .range = &setpoint_attitude_range},
       {.name = "actual_attitude", .spec_name = "ACTUAL_ATTITUDE",
-       .summary = "Measured attitude: W, X, Y, Z.",
-       .range = &actual_attitude_range},
-      {.name = "target_speed", .spec_name = "TARGET_SPEED",
-       .summary = "Speed of the last command.",
-       .unit = &UnitMeta<msg::GyroRate>::info,
-       .directed = Directed::by_axis},
+       .summary = "Measured attitude: W, X, Y, Z.", .range = &actual_attitude_range},
+      {.name = "target_speed", .spec_name = "TARGET_SPEED", .summary = "Speed of the last command.",
+       .unit = &UnitMeta<msg::GyroRate>::info, .directed = Directed::by_axis},
       {.name = "setpoint_speed", .spec_name = "SETPOINT_SPEED",
-       .summary = "Speed that the board stabilizes.",
-       .unit = &UnitMeta<msg::GyroRate>::info,
+       .summary = "Speed that the board stabilizes.", .unit = &UnitMeta<msg::GyroRate>::info,
        .directed = Directed::by_axis},
-      {.name = "actual_speed", .spec_name = "ACTUAL_SPEED",
-       .summary = "Measured speed.",
-       .unit = &UnitMeta<msg::GyroRate>::info,
-       .directed = Directed::by_axis},
+      {.name = "actual_speed", .spec_name = "ACTUAL_SPEED", .summary = "Measured speed.",
+       .unit = &UnitMeta<msg::GyroRate>::info, .directed = Directed::by_axis},
       {.name = "target_attitude_packed", .spec_name = "TARGET_ATTITUDE_PACKED",
        .summary = "Attitude of the last command."},
       {.name = "setpoint_attitude_packed", .spec_name = "SETPOINT_ATTITUDE_PACKED",
@@ -710,18 +613,15 @@ struct Meta<msg::ControlQuatStatusRequest> {
       .name = "ControlQuatStatusRequest",
       .command = "CMD_CONTROL_QUAT_STATUS",
       .summary = "Request the state of the control with quaternions.",
-      .id = 141,
-      .direction = Direction::to_board,
-      .min_size = 4,
-      .max_size = 4,
+      .id = 141, .direction = Direction::to_board,
+      .min_size = 4, .max_size = 4,
       .since = {.firmware = 2730, .features = 0x800000000},
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr FieldInfo fields[] = {
       {.name = "data_set", .spec_name = "DATA_SET",
        .summary = "Data to send, in 32 bits with the reserved bytes."},
-      {.name = "reserved", .spec_name = "RESERVED",
-       .summary = "Reserved; kept as it is.",
+      {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
   template <class T>
@@ -742,10 +642,8 @@ struct Meta<msg::ControlQuatConfig> {
       .name = "ControlQuatConfig",
       .command = "CMD_CONTROL_QUAT_CONFIG",
       .summary = "Configure the control with quaternions.",
-      .id = 142,
-      .direction = Direction::to_board,
-      .min_size = 2,
-      .max_size = 24,
+      .id = 142, .direction = Direction::to_board,
+      .min_size = 2, .max_size = 24,
       .since = {.firmware = 2730, .features = 0x800000000},
       .effects = Effects(Effect::sets)};
   static constexpr Range acc_limit_range{1, 65535};
@@ -767,31 +665,22 @@ struct Meta<msg::ControlQuatConfig> {
   static constexpr FieldInfo fields[] = {
       {.name = "data_set", .spec_name = "DATA_SET",
        .summary = "Which of the following fields are present."},
-      {.name = "max_speed", .spec_name = "MAX_SPEED",
-       .summary = "Speed limit of each axis.",
+      {.name = "max_speed", .spec_name = "MAX_SPEED", .summary = "Speed limit of each axis.",
        .unit = &UnitMeta<msg::ControlSpeedLimit>::info},
-      {.name = "acc_limit", .spec_name = "ACC_LIMIT",
-       .summary = "Acceleration limit of each axis.",
-       .unit = &UnitMeta<msg::LongAngularAcceleration>::info,
-       .range = &acc_limit_range,
+      {.name = "acc_limit", .spec_name = "ACC_LIMIT", .summary = "Acceleration limit of each axis.",
+       .unit = &UnitMeta<msg::LongAngularAcceleration>::info, .range = &acc_limit_range,
        .special = acc_limit_special},
       {.name = "jerk_slope", .spec_name = "JERK_SLOPE",
        .summary = "Time in which the acceleration of each axis rises to its limit.",
-       .unit = &UnitMeta<msg::Milliseconds>::info,
-       .range = &jerk_slope_range,
+       .unit = &UnitMeta<msg::Milliseconds>::info, .range = &jerk_slope_range,
        .special = jerk_slope_special},
-      {.name = "flags", .spec_name = "FLAGS",
-       .summary = "Options."},
+      {.name = "flags", .spec_name = "FLAGS", .summary = "Options."},
       {.name = "attitude_lpf_freq", .spec_name = "ATTITUDE_LPF_FREQ",
-       .summary = "Low-pass filter of the attitude.",
-       .unit = &UnitMeta<msg::SmallFrequency>::info,
-       .range = &attitude_lpf_freq_range,
-       .special = attitude_lpf_freq_special},
+       .summary = "Low-pass filter of the attitude.", .unit = &UnitMeta<msg::SmallFrequency>::info,
+       .range = &attitude_lpf_freq_range, .special = attitude_lpf_freq_special},
       {.name = "speed_lpf_freq", .spec_name = "SPEED_LPF_FREQ",
-       .summary = "Low-pass filter of the speed.",
-       .unit = &UnitMeta<msg::SmallFrequency>::info,
-       .range = &speed_lpf_freq_range,
-       .special = speed_lpf_freq_special},
+       .summary = "Low-pass filter of the speed.", .unit = &UnitMeta<msg::SmallFrequency>::info,
+       .range = &speed_lpf_freq_range, .special = speed_lpf_freq_special},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -821,13 +710,10 @@ struct Meta<msg::GetAngles> {
       .name = "GetAngles",
       .command = "CMD_GET_ANGLES",
       .summary = "Camera angles and targets.",
-      .id = 73,
-      .direction = Direction::from_board,
-      .min_size = 18,
-      .max_size = 18};
+      .id = 73, .direction = Direction::from_board,
+      .min_size = 18, .max_size = 18};
   static constexpr FieldInfo fields[] = {
-      {.name = "axes", .spec_name = "axes",
-       .summary = "State of each axis."},
+      {.name = "axes", .spec_name = "axes", .summary = "State of each axis."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -847,10 +733,8 @@ struct Meta<msg::GetAnglesRequest> {
       .name = "GetAnglesRequest",
       .command = "CMD_GET_ANGLES",
       .summary = "Request camera angles and targets.",
-      .id = 73,
-      .direction = Direction::to_board,
-      .min_size = 0,
-      .max_size = 0,
+      .id = 73, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 0,
       .answers = answers,
       .effects = Effects(Effect::reads)};
 
@@ -864,14 +748,11 @@ struct Meta<msg::GetAnglesExt> {
       .name = "GetAnglesExt",
       .command = "CMD_GET_ANGLES_EXT",
       .summary = "Camera angles, targets and joint angles.",
-      .id = 61,
-      .direction = Direction::from_board,
-      .min_size = 54,
-      .max_size = 54,
+      .id = 61, .direction = Direction::from_board,
+      .min_size = 54, .max_size = 54,
       .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
-      {.name = "axes", .spec_name = "axes",
-       .summary = "State of each axis."},
+      {.name = "axes", .spec_name = "axes", .summary = "State of each axis."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -891,10 +772,8 @@ struct Meta<msg::GetAnglesExtRequest> {
       .name = "GetAnglesExtRequest",
       .command = "CMD_GET_ANGLES_EXT",
       .summary = "Request angles, targets and joint angles.",
-      .id = 61,
-      .direction = Direction::to_board,
-      .min_size = 0,
-      .max_size = 0,
+      .id = 61, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 0,
       .since = {.board = 30},
       .answers = answers,
       .effects = Effects(Effect::reads)};
@@ -909,10 +788,8 @@ struct Meta<msg::MotorsOn> {
       .name = "MotorsOn",
       .command = "CMD_MOTORS_ON",
       .summary = "Turn the motors on.",
-      .id = 77,
-      .direction = Direction::to_board,
-      .min_size = 0,
-      .max_size = 0,
+      .id = 77, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 0,
       .effects = Effects(Effect::moves)};
 
   static constexpr void visit(auto&, auto&&) {
@@ -925,10 +802,8 @@ struct Meta<msg::MotorsOff> {
       .name = "MotorsOff",
       .command = "CMD_MOTORS_OFF",
       .summary = "Turn the motors off.",
-      .id = 109,
-      .direction = Direction::to_board,
-      .min_size = 0,
-      .max_size = 0,
+      .id = 109, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 0,
       .effects = Effects(Effect::moves)};
 
   static constexpr void visit(auto&, auto&&) {
@@ -941,15 +816,12 @@ struct Meta<msg::MotorsOffExt> {
       .name = "MotorsOffExt",
       .command = "CMD_MOTORS_OFF",
       .summary = "Turn the motors off, in one of several ways.",
-      .id = 109,
-      .direction = Direction::to_board,
-      .min_size = 1,
-      .max_size = 1,
+      .id = 109, .direction = Direction::to_board,
+      .min_size = 1, .max_size = 1,
       .since = {.firmware = 2687},
       .effects = Effects(Effect::moves)};
   static constexpr FieldInfo fields[] = {
-      {.name = "mode", .spec_name = "MODE",
-       .summary = "How to turn them off."},
+      {.name = "mode", .spec_name = "MODE", .summary = "How to turn them off."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -967,10 +839,8 @@ struct Meta<msg::SyncMotors> {
       .name = "SyncMotors",
       .command = "CMD_SYNC_MOTORS",
       .summary = "Power one motor as a synchronous motor for some time, then turn the motors off.",
-      .id = 123,
-      .direction = Direction::to_board,
-      .min_size = 6,
-      .max_size = 6,
+      .id = 123, .direction = Direction::to_board,
+      .min_size = 6, .max_size = 6,
       .since = {.firmware = 2709},
       .effects = Effects(Effect::moves)};
   static constexpr Range power_range{0, 255};
@@ -978,17 +848,12 @@ struct Meta<msg::SyncMotors> {
       {0, "the motor holds its position"},
   };
   static constexpr FieldInfo fields[] = {
-      {.name = "axis", .spec_name = "AXIS",
-       .summary = "The motor."},
-      {.name = "power", .spec_name = "POWER",
-       .summary = "Power of the windings.",
+      {.name = "axis", .spec_name = "AXIS", .summary = "The motor."},
+      {.name = "power", .spec_name = "POWER", .summary = "Power of the windings.",
        .range = &power_range},
-      {.name = "time_ms", .spec_name = "TIME_MS",
-       .summary = "How long the windings have power.",
+      {.name = "time_ms", .spec_name = "TIME_MS", .summary = "How long the windings have power.",
        .unit = &UnitMeta<msg::Milliseconds>::info},
-      {.name = "angle", .spec_name = "ANGLE",
-       .summary = "Angle to turn.",
-       .special = angle_special},
+      {.name = "angle", .spec_name = "ANGLE", .summary = "Angle to turn.", .special = angle_special},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -1012,18 +877,13 @@ struct Meta<msg::Event> {
       .name = "Event",
       .command = "CMD_EVENT",
       .summary = "An event, if the host has requested such events with CMD_DATA_STREAM_INTERVAL.",
-      .id = 102,
-      .direction = Direction::from_board,
-      .min_size = 4,
-      .max_size = 4,
+      .id = 102, .direction = Direction::from_board,
+      .min_size = 4, .max_size = 4,
       .since = {.firmware = 2657}};
   static constexpr FieldInfo fields[] = {
-      {.name = "event_id", .spec_name = "EVENT_ID",
-       .summary = "What has happened."},
-      {.name = "event_type", .spec_name = "EVENT_TYPE",
-       .summary = "Kind of the event."},
-      {.name = "param", .spec_name = "PARAM",
-       .summary = "Data that depend on the event."},
+      {.name = "event_id", .spec_name = "EVENT_ID", .summary = "What has happened."},
+      {.name = "event_type", .spec_name = "EVENT_TYPE", .summary = "Kind of the event."},
+      {.name = "param", .spec_name = "PARAM", .summary = "Data that depend on the event."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -1046,14 +906,11 @@ struct Meta<msg::ExecuteMenu> {
       .name = "ExecuteMenu",
       .command = "CMD_EXECUTE_MENU",
       .summary = "Execute a menu action.",
-      .id = 69,
-      .direction = Direction::to_board,
-      .min_size = 1,
-      .max_size = 1,
+      .id = 69, .direction = Direction::to_board,
+      .min_size = 1, .max_size = 1,
       .effects = Effects(Effect::sets) | Effect::stores | Effect::moves | Effect::restarts};
   static constexpr FieldInfo fields[] = {
-      {.name = "cmd_id", .spec_name = "CMD_ID",
-       .summary = "Which action."},
+      {.name = "cmd_id", .spec_name = "CMD_ID", .summary = "Which action."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -1071,17 +928,13 @@ struct Meta<msg::ExecuteMenuExt> {
       .name = "ExecuteMenuExt",
       .command = "CMD_EXECUTE_MENU",
       .summary = "Execute a menu action and say when to confirm it.",
-      .id = 69,
-      .direction = Direction::to_board,
-      .min_size = 2,
-      .max_size = 2,
+      .id = 69, .direction = Direction::to_board,
+      .min_size = 2, .max_size = 2,
       .since = {.firmware = 2738},
       .effects = Effects(Effect::sets) | Effect::stores | Effect::moves | Effect::restarts};
   static constexpr FieldInfo fields[] = {
-      {.name = "cmd_id", .spec_name = "CMD_ID",
-       .summary = "Which action."},
-      {.name = "param", .spec_name = "FLAGS",
-       .summary = "When the board confirms the action."},
+      {.name = "cmd_id", .spec_name = "CMD_ID", .summary = "Which action."},
+      {.name = "param", .spec_name = "FLAGS", .summary = "When the board confirms the action."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -1101,10 +954,8 @@ struct Meta<msg::HelperData> {
       .name = "HelperData",
       .command = "CMD_HELPER_DATA",
       .summary = "Report acceleration and tilt of the frame to the board.",
-      .id = 72,
-      .direction = Direction::to_board,
-      .min_size = 10,
-      .max_size = 10,
+      .id = 72, .direction = Direction::to_board,
+      .min_size = 10, .max_size = 10,
       .effects = Effects(Effect::moves)};
   static constexpr Range frame_angle_roll_range{-32768, 32767};
   static constexpr Special frame_angle_roll_special[] = {
@@ -1117,19 +968,14 @@ struct Meta<msg::HelperData> {
   static constexpr FieldInfo fields[] = {
       {.name = "frame_acc", .spec_name = "FRAME_ACC_{XYZ}",
        .summary = "Linear acceleration of the frame; keeps the horizon level during acceleration.",
-       .unit = &UnitMeta<msg::Acceleration>::info,
-       .directed = Directed::by_axis},
+       .unit = &UnitMeta<msg::Acceleration>::info, .directed = Directed::by_axis},
       {.name = "frame_angle_roll", .spec_name = "FRAME_ANGLE_ROLL",
-       .summary = "Sideways tilt of the frame.",
-       .unit = &UnitMeta<msg::Angle14>::info,
-       .range = &frame_angle_roll_range,
-       .special = frame_angle_roll_special,
+       .summary = "Sideways tilt of the frame.", .unit = &UnitMeta<msg::Angle14>::info,
+       .range = &frame_angle_roll_range, .special = frame_angle_roll_special,
        .directed = Directed::unknown},
       {.name = "frame_angle_pitch", .spec_name = "FRAME_ANGLE_PITCH",
-       .summary = "Forward tilt of the frame.",
-       .unit = &UnitMeta<msg::Angle14>::info,
-       .range = &frame_angle_pitch_range,
-       .special = frame_angle_pitch_special,
+       .summary = "Forward tilt of the frame.", .unit = &UnitMeta<msg::Angle14>::info,
+       .range = &frame_angle_pitch_range, .special = frame_angle_pitch_special,
        .directed = Directed::unknown},
   };
   template <class T>
@@ -1152,10 +998,8 @@ struct Meta<msg::HelperDataExt> {
       .name = "HelperDataExt",
       .command = "CMD_HELPER_DATA",
       .summary = "Report acceleration, tilt and rotation of the frame to the board.",
-      .id = 72,
-      .direction = Direction::to_board,
-      .min_size = 20,
-      .max_size = 20,
+      .id = 72, .direction = Direction::to_board,
+      .min_size = 20, .max_size = 20,
       .since = {.firmware = 2590},
       .effects = Effects(Effect::moves)};
   static constexpr Range frame_angle_roll_range{-32768, 32767};
@@ -1176,36 +1020,26 @@ struct Meta<msg::HelperDataExt> {
   static constexpr FieldInfo fields[] = {
       {.name = "frame_acc", .spec_name = "FRAME_ACC",
        .summary = "Linear acceleration of the frame; keeps the horizon level during acceleration.",
-       .unit = &UnitMeta<msg::Acceleration>::info,
-       .directed = Directed::by_axis},
+       .unit = &UnitMeta<msg::Acceleration>::info, .directed = Directed::by_axis},
       {.name = "frame_angle_roll", .spec_name = "FRAME_ANGLE_ROLL",
-       .summary = "Sideways tilt of the frame.",
-       .unit = &UnitMeta<msg::Angle14>::info,
-       .range = &frame_angle_roll_range,
-       .special = frame_angle_roll_special,
+       .summary = "Sideways tilt of the frame.", .unit = &UnitMeta<msg::Angle14>::info,
+       .range = &frame_angle_roll_range, .special = frame_angle_roll_special,
        .directed = Directed::unknown},
       {.name = "frame_angle_pitch", .spec_name = "FRAME_ANGLE_PITCH",
-       .summary = "Forward tilt of the frame.",
-       .unit = &UnitMeta<msg::Angle14>::info,
-       .range = &frame_angle_pitch_range,
-       .special = frame_angle_pitch_special,
+       .summary = "Forward tilt of the frame.", .unit = &UnitMeta<msg::Angle14>::info,
+       .range = &frame_angle_pitch_range, .special = frame_angle_pitch_special,
        .directed = Directed::unknown},
       {.name = "coord_sys", .spec_name = "COORD_SYS",
        .summary = "Coordinate system of all the vectors, and options."},
       {.name = "frame_speed", .spec_name = "FRAME_SPEED",
        .summary = "Angular speed of the frame; useful without encoders and a second IMU.",
-       .unit = &UnitMeta<msg::GyroRate>::info,
-       .special = frame_speed_special,
+       .unit = &UnitMeta<msg::GyroRate>::info, .special = frame_speed_special,
        .directed = Directed::by_axis},
       {.name = "frame_heading", .spec_name = "FRAME_HEADING",
        .summary = "Heading of the frame; used with USE_FRAME_HEADING.",
-       .unit = &UnitMeta<msg::Angle14>::info,
-       .range = &frame_heading_range,
-       .special = frame_heading_special,
-       .directed = Directed::by_axis,
-       .since = {.firmware = 2627}},
-      {.name = "reserved", .spec_name = "RESERVED",
-       .summary = "Reserved; kept as it is.",
+       .unit = &UnitMeta<msg::Angle14>::info, .range = &frame_heading_range,
+       .special = frame_heading_special, .directed = Directed::by_axis, .since = {.firmware = 2627}},
+      {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
   template <class T>

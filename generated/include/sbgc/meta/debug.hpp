@@ -20,10 +20,8 @@ struct Meta<msg::DebugVarInfo> {
       {1, "a scalar"},
   };
   static constexpr FieldInfo fields[] = {
-      {.name = "var_name", .spec_name = "VAR_NAME",
-       .summary = "Name of the variable."},
-      {.name = "var_type", .spec_name = "VAR_TYPE",
-       .summary = "Its type."},
+      {.name = "var_name", .spec_name = "VAR_NAME", .summary = "Name of the variable."},
+      {.name = "var_type", .spec_name = "VAR_TYPE", .summary = "Its type."},
       {.name = "arr_size", .spec_name = "ARR_SIZE",
        .summary = "Number of elements; no board is known to send arrays.",
        .special = arr_size_special},
@@ -48,18 +46,14 @@ struct Meta<msg::DebugVarsInfo3> {
       .name = "DebugVarsInfo3",
       .command = "CMD_DEBUG_VARS_INFO_3",
       .summary = "Names and types of the debug variables, in the order of CMD_DEBUG_VARS_3.",
-      .id = 253,
-      .direction = Direction::from_board,
-      .min_size = 1,
-      .max_size = 255,
+      .id = 253, .direction = Direction::from_board,
+      .min_size = 1, .max_size = 255,
       .since = {.board = 30}};
   static constexpr Range debug_vars_num_range{1, 255};
   static constexpr FieldInfo fields[] = {
       {.name = "debug_vars_num", .spec_name = "DEBUG_VARS_NUM",
-       .summary = "Number of variables that follow.",
-       .range = &debug_vars_num_range},
-      {.name = "vars", .spec_name = "vars",
-       .summary = "The variables."},
+       .summary = "Number of variables that follow.", .range = &debug_vars_num_range},
+      {.name = "vars", .spec_name = "vars", .summary = "The variables."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -81,10 +75,8 @@ struct Meta<msg::DebugVarsInfo3Request> {
       .name = "DebugVarsInfo3Request",
       .command = "CMD_DEBUG_VARS_INFO_3",
       .summary = "Request the names and types of the debug variables.",
-      .id = 253,
-      .direction = Direction::to_board,
-      .min_size = 0,
-      .max_size = 1,
+      .id = 253, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 1,
       .since = {.board = 30},
       .answers = answers,
       .effects = Effects(Effect::reads)};
@@ -109,10 +101,8 @@ struct Meta<msg::DebugVars3> {
       .name = "DebugVars3",
       .command = "CMD_DEBUG_VARS_3",
       .summary = "Values of the debug variables.",
-      .id = 254,
-      .direction = Direction::from_board,
-      .min_size = 0,
-      .max_size = 255,
+      .id = 254, .direction = Direction::from_board,
+      .min_size = 0, .max_size = 255,
       .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "var_value", .spec_name = "VAR_VALUE",
@@ -136,10 +126,8 @@ struct Meta<msg::DebugVars3Request> {
       .name = "DebugVars3Request",
       .command = "CMD_DEBUG_VARS_3",
       .summary = "Request the values of the debug variables.",
-      .id = 254,
-      .direction = Direction::to_board,
-      .min_size = 0,
-      .max_size = 0,
+      .id = 254, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 0,
       .since = {.board = 30},
       .answers = answers,
       .effects = Effects(Effect::reads)};
@@ -154,17 +142,14 @@ struct Meta<msg::DebugVars3RequestSelected> {
       .name = "DebugVars3RequestSelected",
       .command = "CMD_DEBUG_VARS_3",
       .summary = "Request the values of selected debug variables.",
-      .id = 254,
-      .direction = Direction::to_board,
-      .min_size = 4,
-      .max_size = 32,
+      .id = 254, .direction = Direction::to_board,
+      .min_size = 4, .max_size = 32,
       .since = {.firmware = 2720},
       .effects = Effects(Effect::reads)};
   static constexpr FieldInfo fields[] = {
       {.name = "selected_mask", .spec_name = "SELECTED_MASK",
        .summary = "Bits of the selected variables, starting with the first variable.",
-       .min_count = 1,
-       .max_count = 8},
+       .min_count = 1, .max_count = 8},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -182,21 +167,16 @@ struct Meta<msg::SetDebugPort> {
       .name = "SetDebugPort",
       .command = "CMD_SET_DEBUG_PORT",
       .summary = "Copy of a message on another port of the board.",
-      .id = 249,
-      .direction = Direction::from_board,
-      .min_size = 4,
-      .max_size = 255,
+      .id = 249, .direction = Direction::from_board,
+      .min_size = 4, .max_size = 255,
       .since = {.firmware = 2600}};
   static constexpr FieldInfo fields[] = {
-      {.name = "time_ms", .spec_name = "TIME_MS",
-       .summary = "Time since the board started.",
+      {.name = "time_ms", .spec_name = "TIME_MS", .summary = "Time since the board started.",
        .unit = &UnitMeta<msg::MillisecondClock>::info},
       {.name = "port_and_dir", .spec_name = "PORT_AND_DIR",
        .summary = "Port and direction of the message."},
-      {.name = "cmd_id", .spec_name = "CMD_ID",
-       .summary = "Command of the message."},
-      {.name = "payload", .spec_name = "PAYLOAD",
-       .summary = "Body of the message."},
+      {.name = "cmd_id", .spec_name = "CMD_ID", .summary = "Command of the message."},
+      {.name = "payload", .spec_name = "PAYLOAD", .summary = "Body of the message."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -220,20 +200,15 @@ struct Meta<msg::SetDebugPortRequest> {
       .name = "SetDebugPortRequest",
       .command = "CMD_SET_DEBUG_PORT",
       .summary = "Start or stop the copies of the messages on the board's other ports.",
-      .id = 249,
-      .direction = Direction::to_board,
-      .min_size = 16,
-      .max_size = 16,
+      .id = 249, .direction = Direction::to_board,
+      .min_size = 16, .max_size = 16,
       .since = {.firmware = 2600},
       .effects = Effects(Effect::sets)};
   static constexpr FieldInfo fields[] = {
-      {.name = "action", .spec_name = "ACTION",
-       .summary = "Operation."},
-      {.name = "cmd_filter", .spec_name = "CMD_FILTER",
-       .summary = "Messages that are not copied.",
+      {.name = "action", .spec_name = "ACTION", .summary = "Operation."},
+      {.name = "cmd_filter", .spec_name = "CMD_FILTER", .summary = "Messages that are not copied.",
        .since = {.features = 0x100000000}},
-      {.name = "reserved", .spec_name = "RESERVED",
-       .summary = "Reserved; kept as it is.",
+      {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
   template <class T>

@@ -16,10 +16,8 @@ namespace sbgc {
 template <>
 struct Meta<msg::ExtMotorTarget16> {
   static constexpr FieldInfo fields[] = {
-      {.name = "setpoint", .spec_name = "SETPOINT",
-       .summary = "Target."},
-      {.name = "param1", .spec_name = "PARAM1",
-       .summary = "Angle or speed limit."},
+      {.name = "setpoint", .spec_name = "SETPOINT", .summary = "Target."},
+      {.name = "param1", .spec_name = "PARAM1", .summary = "Angle or speed limit."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -36,10 +34,8 @@ struct Meta<msg::ExtMotorTarget16> {
 template <>
 struct Meta<msg::ExtMotorTarget16Param32> {
   static constexpr FieldInfo fields[] = {
-      {.name = "setpoint", .spec_name = "SETPOINT",
-       .summary = "Target."},
-      {.name = "param1", .spec_name = "PARAM1",
-       .summary = "Angle or speed limit."},
+      {.name = "setpoint", .spec_name = "SETPOINT", .summary = "Target."},
+      {.name = "param1", .spec_name = "PARAM1", .summary = "Angle or speed limit."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -56,10 +52,8 @@ struct Meta<msg::ExtMotorTarget16Param32> {
 template <>
 struct Meta<msg::ExtMotorTarget32Param16> {
   static constexpr FieldInfo fields[] = {
-      {.name = "setpoint", .spec_name = "SETPOINT",
-       .summary = "Target."},
-      {.name = "param1", .spec_name = "PARAM1",
-       .summary = "Angle or speed limit."},
+      {.name = "setpoint", .spec_name = "SETPOINT", .summary = "Target."},
+      {.name = "param1", .spec_name = "PARAM1", .summary = "Angle or speed limit."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -76,10 +70,8 @@ struct Meta<msg::ExtMotorTarget32Param16> {
 template <>
 struct Meta<msg::ExtMotorTarget32> {
   static constexpr FieldInfo fields[] = {
-      {.name = "setpoint", .spec_name = "SETPOINT",
-       .summary = "Target."},
-      {.name = "param1", .spec_name = "PARAM1",
-       .summary = "Angle or speed limit."},
+      {.name = "setpoint", .spec_name = "SETPOINT", .summary = "Target."},
+      {.name = "param1", .spec_name = "PARAM1", .summary = "Angle or speed limit."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -99,19 +91,15 @@ struct Meta<msg::ExtMotorsAction> {
       .name = "ExtMotorsAction",
       .command = "CMD_EXT_MOTORS_ACTION",
       .summary = "Turn external motors on or off, or move them to their home position.",
-      .id = 128,
-      .direction = Direction::to_board,
-      .min_size = 2,
-      .max_size = 255,
+      .id = 128, .direction = Direction::to_board,
+      .min_size = 2, .max_size = 255,
       .since = {.firmware = 2730, .features = 0x400000000},
       .effects = Effects(Effect::moves)};
   static constexpr FieldInfo fields[] = {
       {.name = "for_motors", .spec_name = "FOR_MOTORS",
        .summary = "The motors, and whether to confirm."},
-      {.name = "action", .spec_name = "ACTION",
-       .summary = "What they do."},
-      {.name = "args", .spec_name = "ARGS",
-       .summary = "Arguments of later actions; send it empty.",
+      {.name = "action", .spec_name = "ACTION", .summary = "What they do."},
+      {.name = "args", .spec_name = "ARGS", .summary = "Arguments of later actions; send it empty.",
        .reserved = true},
   };
   template <class T>
@@ -134,21 +122,15 @@ struct Meta<msg::ExtMotorsControl> {
       .name = "ExtMotorsControl",
       .command = "CMD_EXT_MOTORS_CONTROL",
       .summary = "Set targets of external motors.",
-      .id = 129,
-      .direction = Direction::to_board,
-      .min_size = 2,
-      .max_size = 58,
+      .id = 129, .direction = Direction::to_board,
+      .min_size = 2, .max_size = 58,
       .since = {.firmware = 2730, .features = 0x400000000},
       .effects = Effects(Effect::moves)};
   static constexpr FieldInfo fields[] = {
-      {.name = "for_motors", .spec_name = "FOR_MOTORS",
-       .summary = "The motors."},
-      {.name = "data_set", .spec_name = "DATA_SET",
-       .summary = "Format of the targets."},
-      {.name = "setpoint16", .spec_name = "SETPOINT16",
-       .summary = "Targets, 16 bits."},
-      {.name = "setpoint32", .spec_name = "SETPOINT32",
-       .summary = "Targets, 32 bits."},
+      {.name = "for_motors", .spec_name = "FOR_MOTORS", .summary = "The motors."},
+      {.name = "data_set", .spec_name = "DATA_SET", .summary = "Format of the targets."},
+      {.name = "setpoint16", .spec_name = "SETPOINT16", .summary = "Targets, 16 bits."},
+      {.name = "setpoint32", .spec_name = "SETPOINT32", .summary = "Targets, 32 bits."},
       {.name = "setpoint16_param16", .spec_name = "setpoint16_param16",
        .summary = "Targets of 16 bits, parameters of 16 bits."},
       {.name = "setpoint16_param32", .spec_name = "setpoint16_param32",
@@ -188,10 +170,8 @@ struct Meta<msg::ExtMotorsControlConfig> {
       .name = "ExtMotorsControlConfig",
       .command = "CMD_EXT_MOTORS_CONTROL_CONFIG",
       .summary = "Configure external motors.",
-      .id = 130,
-      .direction = Direction::to_board,
-      .min_size = 3,
-      .max_size = 12,
+      .id = 130, .direction = Direction::to_board,
+      .min_size = 3, .max_size = 12,
       .since = {.firmware = 2730, .features = 0x400000000},
       .effects = Effects(Effect::sets)};
   static constexpr FieldInfo fields[] = {
@@ -199,10 +179,8 @@ struct Meta<msg::ExtMotorsControlConfig> {
        .summary = "The motors, and whether to confirm."},
       {.name = "data_set", .spec_name = "DATA_SET",
        .summary = "Which of the following fields are present."},
-      {.name = "mode", .spec_name = "MODE",
-       .summary = "What their setpoints control."},
-      {.name = "max_speed", .spec_name = "MAX_SPEED",
-       .summary = "Speed limit in all modes.",
+      {.name = "mode", .spec_name = "MODE", .summary = "What their setpoints control."},
+      {.name = "max_speed", .spec_name = "MAX_SPEED", .summary = "Speed limit in all modes.",
        .unit = &UnitMeta<msg::ExtMotorSpeedLimit>::info},
       {.name = "max_acceleration", .spec_name = "MAX_ACCELERATION",
        .summary = "Acceleration limit in the modes SPEED and POSITION.",
@@ -241,81 +219,52 @@ struct Meta<msg::ExtMotorsState> {
       .name = "ExtMotorsState",
       .command = "CMD_EXT_MOTORS_STATE",
       .summary = "State of an external motor.",
-      .id = 131,
-      .direction = Direction::from_board,
-      .min_size = 5,
-      .max_size = 50,
+      .id = 131, .direction = Direction::from_board,
+      .min_size = 5, .max_size = 50,
       .since = {.firmware = 2730, .features = 0x400000000}};
   static constexpr Range motor_id_range{0, 6};
   static constexpr FieldInfo fields[] = {
-      {.name = "motor_id", .spec_name = "MOTOR_ID",
-       .summary = "The motor, counted from 0.",
+      {.name = "motor_id", .spec_name = "MOTOR_ID", .summary = "The motor, counted from 0.",
        .range = &motor_id_range},
       {.name = "data_set", .spec_name = "DATA_SET",
        .summary = "Which of the following fields are present."},
-      {.name = "control_mode", .spec_name = "CONTROL_MODE",
-       .summary = "What its setpoint controls."},
+      {.name = "control_mode", .spec_name = "CONTROL_MODE", .summary = "What its setpoint controls."},
       {.name = "torque", .spec_name = "TORQUE",
        .summary = "Torque; 32767 is all that the driver can provide."},
-      {.name = "torque_setpoint", .spec_name = "TORQUE_SETPOINT",
-       .summary = "Target torque."},
-      {.name = "speed16", .spec_name = "SPEED16",
-       .summary = "Speed.",
-       .unit = &UnitMeta<msg::ControlSpeed>::info,
-       .directed = Directed::by_axis},
-      {.name = "speed16_setpoint", .spec_name = "SPEED16_SETPOINT",
-       .summary = "Target speed.",
-       .unit = &UnitMeta<msg::ControlSpeed>::info,
-       .directed = Directed::by_axis},
-      {.name = "speed32", .spec_name = "SPEED32",
-       .summary = "Speed.",
-       .unit = &UnitMeta<msg::MicroradianRate>::info,
-       .directed = Directed::by_axis},
-      {.name = "speed32_setpoint", .spec_name = "SPEED32_SETPOINT",
-       .summary = "Target speed.",
-       .unit = &UnitMeta<msg::MicroradianRate>::info,
-       .directed = Directed::by_axis},
-      {.name = "angle16", .spec_name = "ANGLE16",
-       .summary = "Angle.",
-       .unit = &UnitMeta<msg::Angle14>::info,
-       .directed = Directed::by_axis},
-      {.name = "angle16_setpoint", .spec_name = "ANGLE16_SETPOINT",
-       .summary = "Target angle.",
-       .unit = &UnitMeta<msg::Angle14>::info,
-       .directed = Directed::by_axis},
-      {.name = "angle32", .spec_name = "ANGLE32",
-       .summary = "Angle.",
-       .unit = &UnitMeta<msg::Angle20>::info,
-       .directed = Directed::by_axis},
-      {.name = "angle32_setpoint", .spec_name = "ANGLE32_SETPOINT",
-       .summary = "Target angle.",
-       .unit = &UnitMeta<msg::Angle20>::info,
-       .directed = Directed::by_axis},
-      {.name = "state_flags", .spec_name = "STATE_FLAGS",
-       .summary = "State of the motor."},
-      {.name = "max_speed", .spec_name = "MAX_SPEED",
-       .summary = "Speed limit.",
+      {.name = "torque_setpoint", .spec_name = "TORQUE_SETPOINT", .summary = "Target torque."},
+      {.name = "speed16", .spec_name = "SPEED16", .summary = "Speed.",
+       .unit = &UnitMeta<msg::ControlSpeed>::info, .directed = Directed::by_axis},
+      {.name = "speed16_setpoint", .spec_name = "SPEED16_SETPOINT", .summary = "Target speed.",
+       .unit = &UnitMeta<msg::ControlSpeed>::info, .directed = Directed::by_axis},
+      {.name = "speed32", .spec_name = "SPEED32", .summary = "Speed.",
+       .unit = &UnitMeta<msg::MicroradianRate>::info, .directed = Directed::by_axis},
+      {.name = "speed32_setpoint", .spec_name = "SPEED32_SETPOINT", .summary = "Target speed.",
+       .unit = &UnitMeta<msg::MicroradianRate>::info, .directed = Directed::by_axis},
+      {.name = "angle16", .spec_name = "ANGLE16", .summary = "Angle.",
+       .unit = &UnitMeta<msg::Angle14>::info, .directed = Directed::by_axis},
+      {.name = "angle16_setpoint", .spec_name = "ANGLE16_SETPOINT", .summary = "Target angle.",
+       .unit = &UnitMeta<msg::Angle14>::info, .directed = Directed::by_axis},
+      {.name = "angle32", .spec_name = "ANGLE32", .summary = "Angle.",
+       .unit = &UnitMeta<msg::Angle20>::info, .directed = Directed::by_axis},
+      {.name = "angle32_setpoint", .spec_name = "ANGLE32_SETPOINT", .summary = "Target angle.",
+       .unit = &UnitMeta<msg::Angle20>::info, .directed = Directed::by_axis},
+      {.name = "state_flags", .spec_name = "STATE_FLAGS", .summary = "State of the motor."},
+      {.name = "max_speed", .spec_name = "MAX_SPEED", .summary = "Speed limit.",
        .unit = &UnitMeta<msg::ExtMotorSpeedLimit>::info},
-      {.name = "max_acceleration", .spec_name = "MAX_ACCELERATION",
-       .summary = "Acceleration limit.",
+      {.name = "max_acceleration", .spec_name = "MAX_ACCELERATION", .summary = "Acceleration limit.",
        .unit = &UnitMeta<msg::ExtMotorAccelerationLimit>::info},
       {.name = "jerk_slope", .spec_name = "JERK_SLOPE",
        .summary = "Time in which the acceleration rises to its limit.",
        .unit = &UnitMeta<msg::Milliseconds>::info},
-      {.name = "max_torque", .spec_name = "MAX_TORQUE",
-       .summary = "Torque limit."},
-      {.name = "current", .spec_name = "CURRENT",
-       .summary = "Current.",
+      {.name = "max_torque", .spec_name = "MAX_TORQUE", .summary = "Torque limit."},
+      {.name = "current", .spec_name = "CURRENT", .summary = "Current.",
        .unit = &UnitMeta<msg::Current>::info},
-      {.name = "battery_voltage", .spec_name = "BATTERY_VOLTAGE",
-       .summary = "Supply voltage.",
+      {.name = "battery_voltage", .spec_name = "BATTERY_VOLTAGE", .summary = "Supply voltage.",
        .unit = &UnitMeta<msg::Millivolts>::info},
       {.name = "motor_temperature", .spec_name = "MOTOR_TEMPERATURE",
-       .summary = "Temperature of the motor.",
-       .unit = &UnitMeta<msg::Temperature>::info},
+       .summary = "Temperature of the motor.", .unit = &UnitMeta<msg::Temperature>::info},
       {.name = "driver_temperature", .spec_name = "DRIVER_TEMPERATURE",
-       .summary = "Temperature of the driver.",
-       .unit = &UnitMeta<msg::Temperature>::info},
+       .summary = "Temperature of the driver.", .unit = &UnitMeta<msg::Temperature>::info},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -377,18 +326,14 @@ struct Meta<msg::ExtMotorsStateRequest> {
       .name = "ExtMotorsStateRequest",
       .command = "CMD_EXT_MOTORS_STATE",
       .summary = "Request the state of external motors.",
-      .id = 131,
-      .direction = Direction::to_board,
-      .min_size = 5,
-      .max_size = 5,
+      .id = 131, .direction = Direction::to_board,
+      .min_size = 5, .max_size = 5,
       .since = {.firmware = 2730, .features = 0x400000000},
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr FieldInfo fields[] = {
-      {.name = "for_motors", .spec_name = "FOR_MOTORS",
-       .summary = "The motors."},
-      {.name = "data_set", .spec_name = "DATA_SET",
-       .summary = "Data to send."},
+      {.name = "for_motors", .spec_name = "FOR_MOTORS", .summary = "The motors."},
+      {.name = "data_set", .spec_name = "DATA_SET", .summary = "Data to send."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {

@@ -44,8 +44,7 @@ struct Meta<msg::AhrsDebugInfo> {
       {.name = "ext_corr_z_err", .spec_name = "EXT_CORR_Z_ERR",
        .summary = "Error of the external gravity correction.",
        .unit = &UnitMeta<msg::AngleError>::info},
-      {.name = "reserved", .spec_name = "RESERVED",
-       .summary = "Reserved; kept as it is.",
+      {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
   template <class T>
@@ -86,15 +85,12 @@ struct Meta<msg::SelectImu3> {
       .name = "SelectImu3",
       .command = "CMD_SELECT_IMU_3",
       .summary = "Select the IMU to configure and calibrate.",
-      .id = 24,
-      .direction = Direction::to_board,
-      .min_size = 1,
-      .max_size = 1,
+      .id = 24, .direction = Direction::to_board,
+      .min_size = 1, .max_size = 1,
       .since = {.board = 30},
       .effects = Effects(Effect::sets)};
   static constexpr FieldInfo fields[] = {
-      {.name = "imu_type", .spec_name = "IMU_TYPE",
-       .summary = "The IMU."},
+      {.name = "imu_type", .spec_name = "IMU_TYPE", .summary = "The IMU."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -112,20 +108,15 @@ struct Meta<msg::SelectImu3Ext> {
       .name = "SelectImu3Ext",
       .command = "CMD_SELECT_IMU_3",
       .summary = "Select an IMU, with parameters that no source describes.",
-      .id = 24,
-      .direction = Direction::to_board,
-      .min_size = 2,
-      .max_size = 10,
+      .id = 24, .direction = Direction::to_board,
+      .min_size = 2, .max_size = 10,
       .since = {.firmware = 2600},
       .unconfirmed = true,
       .effects = Effects(Effect::sets)};
   static constexpr FieldInfo fields[] = {
-      {.name = "imu_type", .spec_name = "IMU_TYPE",
-       .summary = "The IMU."},
-      {.name = "param", .spec_name = "PARAM",
-       .summary = "Undocumented."},
-      {.name = "params", .spec_name = "PARAMS",
-       .summary = "Further undocumented parameters.",
+      {.name = "imu_type", .spec_name = "IMU_TYPE", .summary = "The IMU."},
+      {.name = "param", .spec_name = "PARAM", .summary = "Undocumented."},
+      {.name = "params", .spec_name = "PARAMS", .summary = "Further undocumented parameters.",
        .max_count = 8},
   };
   template <class T>
@@ -148,23 +139,17 @@ struct Meta<msg::SelectImu3CalibrateShort> {
       .name = "SelectImu3CalibrateShort",
       .command = "CMD_SELECT_IMU_3",
       .summary = "The same, with one byte less.",
-      .id = 24,
-      .direction = Direction::to_board,
-      .min_size = 11,
-      .max_size = 11,
+      .id = 24, .direction = Direction::to_board,
+      .min_size = 11, .max_size = 11,
       .since = {.firmware = 2600},
       .unconfirmed = true,
       .effects = Effects(Effect::stores) | Effect::restarts | Effect::erases};
   static constexpr FieldInfo fields[] = {
-      {.name = "imu_type", .spec_name = "IMU_TYPE",
-       .summary = "The IMU."},
-      {.name = "action", .spec_name = "ACTION",
-       .summary = "Operation."},
-      {.name = "time_ms", .spec_name = "TIME_MS",
-       .summary = "Duration of the operation.",
+      {.name = "imu_type", .spec_name = "IMU_TYPE", .summary = "The IMU."},
+      {.name = "action", .spec_name = "ACTION", .summary = "Operation."},
+      {.name = "time_ms", .spec_name = "TIME_MS", .summary = "Duration of the operation.",
        .unit = &UnitMeta<msg::Milliseconds>::info},
-      {.name = "reserved", .spec_name = "RESERVED",
-       .summary = "Reserved; kept as it is.",
+      {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
   template <class T>
@@ -189,22 +174,16 @@ struct Meta<msg::SelectImu3Calibrate> {
       .name = "SelectImu3Calibrate",
       .command = "CMD_SELECT_IMU_3",
       .summary = "Select an IMU and calibrate it, or manage its calibrations.",
-      .id = 24,
-      .direction = Direction::to_board,
-      .min_size = 12,
-      .max_size = 12,
+      .id = 24, .direction = Direction::to_board,
+      .min_size = 12, .max_size = 12,
       .since = {.firmware = 2600},
       .effects = Effects(Effect::stores) | Effect::restarts | Effect::erases};
   static constexpr FieldInfo fields[] = {
-      {.name = "imu_type", .spec_name = "IMU_TYPE",
-       .summary = "The IMU."},
-      {.name = "action", .spec_name = "ACTION",
-       .summary = "Operation."},
-      {.name = "time_ms", .spec_name = "TIME_MS",
-       .summary = "Duration of the operation.",
+      {.name = "imu_type", .spec_name = "IMU_TYPE", .summary = "The IMU."},
+      {.name = "action", .spec_name = "ACTION", .summary = "Operation."},
+      {.name = "time_ms", .spec_name = "TIME_MS", .summary = "Duration of the operation.",
        .unit = &UnitMeta<msg::Milliseconds>::info},
-      {.name = "reserved", .spec_name = "RESERVED",
-       .summary = "Reserved; kept as it is.",
+      {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
   template <class T>
@@ -229,18 +208,15 @@ struct Meta<msg::AhrsHelper> {
       .name = "AhrsHelper",
       .command = "CMD_AHRS_HELPER",
       .summary = "Attitude of an IMU as two unit vectors.",
-      .id = 56,
-      .direction = Direction::from_board,
-      .min_size = 24,
-      .max_size = 24,
+      .id = 56, .direction = Direction::from_board,
+      .min_size = 24, .max_size = 24,
       .since = {.board = 30}};
   static constexpr Range z1_vector_range{-1, 1};
   static constexpr Range h1_vector_range{-1, 1};
   static constexpr FieldInfo fields[] = {
       {.name = "z1_vector", .spec_name = "Z1_VECTOR",
        .summary = "Unit vector that points up (the Z axis in the normal position); down according to later sources.",
-       .range = &z1_vector_range,
-       .unconfirmed = true},
+       .range = &z1_vector_range, .unconfirmed = true},
       {.name = "h1_vector", .spec_name = "H1_VECTOR",
        .summary = "Unit vector that points north (the Y axis in the normal position).",
        .range = &h1_vector_range},
@@ -265,18 +241,15 @@ struct Meta<msg::AhrsHelperRequest> {
       .name = "AhrsHelperRequest",
       .command = "CMD_AHRS_HELPER",
       .summary = "Query the attitude of an IMU.",
-      .id = 56,
-      .direction = Direction::to_board,
-      .min_size = 1,
-      .max_size = 1,
+      .id = 56, .direction = Direction::to_board,
+      .min_size = 1, .max_size = 1,
       .since = {.board = 30},
       .until = {.firmware = 2695}
 ,
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr FieldInfo fields[] = {
-      {.name = "mode", .spec_name = "MODE",
-       .summary = "The IMU to query; without SET."},
+      {.name = "mode", .spec_name = "MODE", .summary = "The IMU to query; without SET."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -295,16 +268,13 @@ struct Meta<msg::AhrsHelperRequestWide> {
       .name = "AhrsHelperRequestWide",
       .command = "CMD_AHRS_HELPER",
       .summary = "Query the attitude of an IMU, with a two-byte mode.",
-      .id = 56,
-      .direction = Direction::to_board,
-      .min_size = 2,
-      .max_size = 2,
+      .id = 56, .direction = Direction::to_board,
+      .min_size = 2, .max_size = 2,
       .since = {.firmware = 2695},
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr FieldInfo fields[] = {
-      {.name = "mode", .spec_name = "MODE",
-       .summary = "The IMU to query; without SET."},
+      {.name = "mode", .spec_name = "MODE", .summary = "The IMU to query; without SET."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -323,10 +293,8 @@ struct Meta<msg::AhrsHelperRequestExt> {
       .name = "AhrsHelperRequestExt",
       .command = "CMD_AHRS_HELPER",
       .summary = "Query or set the attitude of an IMU.",
-      .id = 56,
-      .direction = Direction::to_board,
-      .min_size = 25,
-      .max_size = 25,
+      .id = 56, .direction = Direction::to_board,
+      .min_size = 25, .max_size = 25,
       .since = {.board = 30},
       .until = {.firmware = 2695}
 ,
@@ -335,8 +303,7 @@ struct Meta<msg::AhrsHelperRequestExt> {
   static constexpr Range z1_vector_range{-1, 1};
   static constexpr Range h1_vector_range{-1, 1};
   static constexpr FieldInfo fields[] = {
-      {.name = "mode", .spec_name = "MODE",
-       .summary = "Operation."},
+      {.name = "mode", .spec_name = "MODE", .summary = "Operation."},
       {.name = "z1_vector", .spec_name = "Z1_VECTOR",
        .summary = "Unit vector that points up (the Z axis in the normal position), or down according to later sources; unused in a query.",
        .range = &z1_vector_range},
@@ -365,18 +332,15 @@ struct Meta<msg::AhrsHelperRequestExtWide> {
       .name = "AhrsHelperRequestExtWide",
       .command = "CMD_AHRS_HELPER",
       .summary = "Query or set the attitude of an IMU, with a two-byte mode.",
-      .id = 56,
-      .direction = Direction::to_board,
-      .min_size = 26,
-      .max_size = 26,
+      .id = 56, .direction = Direction::to_board,
+      .min_size = 26, .max_size = 26,
       .since = {.firmware = 2695},
       .answers = answers,
       .effects = Effects(Effect::moves)};
   static constexpr Range z1_vector_range{-1, 1};
   static constexpr Range h1_vector_range{-1, 1};
   static constexpr FieldInfo fields[] = {
-      {.name = "mode", .spec_name = "MODE",
-       .summary = "Operation."},
+      {.name = "mode", .spec_name = "MODE", .summary = "Operation."},
       {.name = "z1_vector", .spec_name = "Z1_VECTOR",
        .summary = "Unit vector that points up (the Z axis in the normal position), or down according to later sources; unused in a query.",
        .range = &z1_vector_range},
@@ -404,23 +368,18 @@ struct Meta<msg::GyroCorrection> {
       .name = "GyroCorrection",
       .command = "CMD_GYRO_CORRECTION",
       .summary = "Correct the zero of a gyroscope manually; the camera drifts if the correction is wrong.",
-      .id = 75,
-      .direction = Direction::to_board,
-      .min_size = 9,
-      .max_size = 9,
+      .id = 75, .direction = Direction::to_board,
+      .min_size = 9, .max_size = 9,
       .since = {.board = 30},
       .effects = Effects(Effect::stores) | Effect::moves};
   static constexpr FieldInfo fields[] = {
-      {.name = "imu_type", .spec_name = "IMU_TYPE",
-       .summary = "The IMU."},
+      {.name = "imu_type", .spec_name = "IMU_TYPE", .summary = "The IMU."},
       {.name = "gyro_zero_corr", .spec_name = "GYRO_ZERO_CORR",
-       .summary = "Zero offset of each axis.",
-       .unit = &UnitMeta<msg::GyroOffset>::info,
+       .summary = "Zero offset of each axis.", .unit = &UnitMeta<msg::GyroOffset>::info,
        .directed = Directed::by_axis},
       {.name = "gyro_zero_heading_corr", .spec_name = "GYRO_ZERO_HEADING_CORR",
        .summary = "Offset of the rotation about the vertical, to correct the heading; the board distributes it over the axes.",
-       .unit = &UnitMeta<msg::GyroOffset>::info,
-       .directed = Directed::by_axis},
+       .unit = &UnitMeta<msg::GyroOffset>::info, .directed = Directed::by_axis},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -442,18 +401,14 @@ struct Meta<msg::ExtImuDebugInfo> {
       .name = "ExtImuDebugInfo",
       .command = "CMD_EXT_IMU_DEBUG_INFO",
       .summary = "State of the attitude estimation and of the external IMU.",
-      .id = 106,
-      .direction = Direction::from_board,
-      .min_size = 74,
-      .max_size = 74,
+      .id = 106, .direction = Direction::from_board,
+      .min_size = 74, .max_size = 74,
       .since = {.firmware = 2660, .features = 0x10000}};
   static constexpr FieldInfo fields[] = {
       {.name = "ahrs_debug_info", .spec_name = "AHRS_DEBUG_INFO",
        .summary = "State of the attitude estimation."},
-      {.name = "dcm", .spec_name = "DCM",
-       .summary = "Attitude as a rotation matrix, row by row."},
-      {.name = "acc_body", .spec_name = "ACC_BODY",
-       .summary = "Acceleration of the sensor."},
+      {.name = "dcm", .spec_name = "DCM", .summary = "Attitude as a rotation matrix, row by row."},
+      {.name = "acc_body", .spec_name = "ACC_BODY", .summary = "Acceleration of the sensor."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -477,10 +432,8 @@ struct Meta<msg::ExtImuDebugInfoRequest> {
       .name = "ExtImuDebugInfoRequest",
       .command = "CMD_EXT_IMU_DEBUG_INFO",
       .summary = "Request the state of the attitude estimation and of the external IMU.",
-      .id = 106,
-      .direction = Direction::to_board,
-      .min_size = 0,
-      .max_size = 0,
+      .id = 106, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 0,
       .since = {.firmware = 2660, .features = 0x10000},
       .answers = answers,
       .effects = Effects(Effect::reads)};
@@ -495,17 +448,13 @@ struct Meta<msg::ExtImuCmd> {
       .name = "ExtImuCmd",
       .command = "CMD_EXT_IMU_CMD",
       .summary = "A message of the external IMU.",
-      .id = 110,
-      .direction = Direction::both,
-      .min_size = 1,
-      .max_size = 255,
+      .id = 110, .direction = Direction::both,
+      .min_size = 1, .max_size = 255,
       .since = {.firmware = 2600, .features = 0x10000},
       .effects = Effects(Effect::sets) | Effect::stores | Effect::moves};
   static constexpr FieldInfo fields[] = {
-      {.name = "cmd_id", .spec_name = "CMD_ID",
-       .summary = "Command of the external IMU."},
-      {.name = "data", .spec_name = "DATA",
-       .summary = "Body of the command."},
+      {.name = "cmd_id", .spec_name = "CMD_ID", .summary = "Command of the external IMU."},
+      {.name = "data", .spec_name = "DATA", .summary = "Body of the command."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -525,17 +474,13 @@ struct Meta<msg::ExtSensCmd> {
       .name = "ExtSensCmd",
       .command = "CMD_EXT_SENS_CMD",
       .summary = "A message of the external sensor.",
-      .id = 150,
-      .direction = Direction::from_board,
-      .min_size = 1,
-      .max_size = 255,
+      .id = 150, .direction = Direction::from_board,
+      .min_size = 1, .max_size = 255,
       .since = {.firmware = 2687, .board = 36, .features = 0x10000},
       .unconfirmed = true};
   static constexpr FieldInfo fields[] = {
-      {.name = "cmd_id", .spec_name = "CMD_ID",
-       .summary = "Command of the sensor."},
-      {.name = "data", .spec_name = "DATA",
-       .summary = "Body of the command."},
+      {.name = "cmd_id", .spec_name = "CMD_ID", .summary = "Command of the sensor."},
+      {.name = "data", .spec_name = "DATA", .summary = "Body of the command."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -555,19 +500,14 @@ struct Meta<msg::ExtSensCmdRequest> {
       .name = "ExtSensCmdRequest",
       .command = "CMD_EXT_SENS_CMD",
       .summary = "Forward a command to an external sensor.",
-      .id = 150,
-      .direction = Direction::to_board,
-      .min_size = 2,
-      .max_size = 255,
+      .id = 150, .direction = Direction::to_board,
+      .min_size = 2, .max_size = 255,
       .since = {.firmware = 2687, .board = 36, .features = 0x10000},
       .effects = Effects(Effect::sets) | Effect::stores | Effect::moves};
   static constexpr FieldInfo fields[] = {
-      {.name = "flags", .spec_name = "FLAGS",
-       .summary = "Options."},
-      {.name = "cmd_id", .spec_name = "CMD_ID",
-       .summary = "Command of the sensor."},
-      {.name = "data", .spec_name = "DATA",
-       .summary = "Body of the command."},
+      {.name = "flags", .spec_name = "FLAGS", .summary = "Options."},
+      {.name = "cmd_id", .spec_name = "CMD_ID", .summary = "Command of the sensor."},
+      {.name = "data", .spec_name = "DATA", .summary = "Body of the command."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -589,14 +529,11 @@ struct Meta<msg::ImuAdvancedCalib> {
       .name = "ImuAdvancedCalib",
       .command = "CMD_IMU_ADVANCED_CALIB",
       .summary = "Undocumented body from the board.",
-      .id = 115,
-      .direction = Direction::from_board,
-      .min_size = 0,
-      .max_size = 255,
+      .id = 115, .direction = Direction::from_board,
+      .min_size = 0, .max_size = 255,
       .since = {.firmware = 2600}};
   static constexpr FieldInfo fields[] = {
-      {.name = "data", .spec_name = "DATA",
-       .summary = "Undocumented content."},
+      {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -614,15 +551,12 @@ struct Meta<msg::ImuAdvancedCalibRequest> {
       .name = "ImuAdvancedCalibRequest",
       .command = "CMD_IMU_ADVANCED_CALIB",
       .summary = "Undocumented body to the board.",
-      .id = 115,
-      .direction = Direction::to_board,
-      .min_size = 0,
-      .max_size = 255,
+      .id = 115, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 255,
       .since = {.firmware = 2600},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
-      {.name = "data", .spec_name = "DATA",
-       .summary = "Undocumented content."},
+      {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {

@@ -16,16 +16,12 @@ namespace sbgc {
 template <>
 struct Meta<msg::ModuleInfo> {
   static constexpr FieldInfo fields[] = {
-      {.name = "id", .spec_name = "ID",
-       .summary = "The module."},
-      {.name = "board_ver", .spec_name = "BOARD_VER",
-       .summary = "Hardware version."},
+      {.name = "id", .spec_name = "ID", .summary = "The module."},
+      {.name = "board_ver", .spec_name = "BOARD_VER", .summary = "Hardware version."},
       {.name = "bootloader_ver", .spec_name = "BOOTLOADER_VER",
        .summary = "Version of the bootloader."},
-      {.name = "firmware_ver", .spec_name = "FIRMWARE_VER",
-       .summary = "Firmware version."},
-      {.name = "reserved", .spec_name = "RESERVED",
-       .summary = "Reserved; kept as it is.",
+      {.name = "firmware_ver", .spec_name = "FIRMWARE_VER", .summary = "Firmware version."},
+      {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
   template <class T>
@@ -49,12 +45,9 @@ struct Meta<msg::ModuleInfo> {
 template <>
 struct Meta<msg::CanDevice> {
   static constexpr FieldInfo fields[] = {
-      {.name = "uid", .spec_name = "UID",
-       .summary = "Identifies the device."},
-      {.name = "id", .spec_name = "ID",
-       .summary = "Id assigned to the device."},
-      {.name = "type", .spec_name = "TYPE",
-       .summary = "Kind of the device."},
+      {.name = "uid", .spec_name = "UID", .summary = "Identifies the device."},
+      {.name = "id", .spec_name = "ID", .summary = "Id assigned to the device."},
+      {.name = "type", .spec_name = "TYPE", .summary = "Kind of the device."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -76,18 +69,14 @@ struct Meta<msg::ModuleList> {
       .name = "ModuleList",
       .command = "CMD_MODULE_LIST",
       .summary = "Modules connected to the board.",
-      .id = 76,
-      .direction = Direction::from_board,
-      .min_size = 1,
-      .max_size = 222,
+      .id = 76, .direction = Direction::from_board,
+      .min_size = 1, .max_size = 222,
       .since = {.firmware = 2600}};
   static constexpr Range device_num_range{0, 17};
   static constexpr FieldInfo fields[] = {
-      {.name = "device_num", .spec_name = "DEVICE_NUM",
-       .summary = "Number of modules that follow.",
+      {.name = "device_num", .spec_name = "DEVICE_NUM", .summary = "Number of modules that follow.",
        .range = &device_num_range},
-      {.name = "modules", .spec_name = "modules",
-       .summary = "The modules."},
+      {.name = "modules", .spec_name = "modules", .summary = "The modules."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -109,10 +98,8 @@ struct Meta<msg::ModuleListRequest> {
       .name = "ModuleListRequest",
       .command = "CMD_MODULE_LIST",
       .summary = "Request the list of the modules connected to the board.",
-      .id = 76,
-      .direction = Direction::to_board,
-      .min_size = 0,
-      .max_size = 0,
+      .id = 76, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 0,
       .since = {.firmware = 2600},
       .answers = answers,
       .effects = Effects(Effect::reads)};
@@ -127,15 +114,11 @@ struct Meta<msg::CanDeviceScan> {
       .name = "CanDeviceScan",
       .command = "CMD_CAN_DEVICE_SCAN",
       .summary = "Devices on the CAN bus.",
-      .id = 96,
-      .direction = Direction::from_board,
-      .min_size = 0,
-      .max_size = 252,
+      .id = 96, .direction = Direction::from_board,
+      .min_size = 0, .max_size = 252,
       .since = {.firmware = 2600, .features = 0x400}};
   static constexpr FieldInfo fields[] = {
-      {.name = "devices", .spec_name = "devices",
-       .summary = "The devices.",
-       .max_count = 18},
+      {.name = "devices", .spec_name = "devices", .summary = "The devices.", .max_count = 18},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -154,10 +137,8 @@ struct Meta<msg::CanDeviceScanRequest> {
       .name = "CanDeviceScanRequest",
       .command = "CMD_CAN_DEVICE_SCAN",
       .summary = "Search for devices on the CAN bus.",
-      .id = 96,
-      .direction = Direction::to_board,
-      .min_size = 0,
-      .max_size = 0,
+      .id = 96, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 0,
       .since = {.firmware = 2600, .features = 0x400},
       .answers = answers,
       .effects = Effects(Effect::reads)};
@@ -172,17 +153,13 @@ struct Meta<msg::TransparentSapi> {
       .name = "TransparentSapi",
       .command = "CMD_TRANSPARENT_SAPI",
       .summary = "Data from a serial port of a device on the CAN bus.",
-      .id = 151,
-      .direction = Direction::from_board,
-      .min_size = 1,
-      .max_size = 255,
+      .id = 151, .direction = Direction::from_board,
+      .min_size = 1, .max_size = 255,
       .since = {.firmware = 2720, .board = 36}};
   static constexpr FieldInfo fields[] = {
-      {.name = "target", .spec_name = "TARGET",
-       .summary = "Device and port that sent the data.",
+      {.name = "target", .spec_name = "TARGET", .summary = "Device and port that sent the data.",
        .unconfirmed = true},
-      {.name = "payload", .spec_name = "PAYLOAD",
-       .summary = "The data."},
+      {.name = "payload", .spec_name = "PAYLOAD", .summary = "The data."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -202,18 +179,14 @@ struct Meta<msg::TransparentSapiRequest> {
       .name = "TransparentSapiRequest",
       .command = "CMD_TRANSPARENT_SAPI",
       .summary = "Send data to a serial port of a device on the CAN bus.",
-      .id = 151,
-      .direction = Direction::to_board,
-      .min_size = 1,
-      .max_size = 255,
+      .id = 151, .direction = Direction::to_board,
+      .min_size = 1, .max_size = 255,
       .since = {.firmware = 2720, .board = 36},
       .effects = Effects(Effect::sets) | Effect::stores | Effect::moves | Effect::restarts | Effect::erases};
   static constexpr FieldInfo fields[] = {
-      {.name = "target", .spec_name = "TARGET",
-       .summary = "Device and port that receive the data.",
+      {.name = "target", .spec_name = "TARGET", .summary = "Device and port that receive the data.",
        .unconfirmed = true},
-      {.name = "payload", .spec_name = "PAYLOAD",
-       .summary = "The data."},
+      {.name = "payload", .spec_name = "PAYLOAD", .summary = "The data."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -233,20 +206,15 @@ struct Meta<msg::ModuleFlashStart> {
       .name = "ModuleFlashStart",
       .command = "CMD_MODULE_FLASH_START",
       .summary = "Begin to load new firmware into a module.",
-      .id = 78,
-      .direction = Direction::to_board,
-      .min_size = 5,
-      .max_size = 5,
+      .id = 78, .direction = Direction::to_board,
+      .min_size = 5, .max_size = 5,
       .since = {.firmware = 2745},
       .effects = Effects(Effect::restarts) | Effect::erases};
   static constexpr Range firmware_size_range{1, 4294967295};
   static constexpr FieldInfo fields[] = {
-      {.name = "device_id", .spec_name = "DEVICE_ID",
-       .summary = "The module."},
-      {.name = "firmware_size", .spec_name = "FIRMWARE_SIZE",
-       .summary = "Size of the file.",
-       .unit = &UnitMeta<msg::WordCount>::info,
-       .range = &firmware_size_range},
+      {.name = "device_id", .spec_name = "DEVICE_ID", .summary = "The module."},
+      {.name = "firmware_size", .spec_name = "FIRMWARE_SIZE", .summary = "Size of the file.",
+       .unit = &UnitMeta<msg::WordCount>::info, .range = &firmware_size_range},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -266,26 +234,19 @@ struct Meta<msg::ModuleFlashWrite> {
       .name = "ModuleFlashWrite",
       .command = "CMD_MODULE_FLASH_WRITE",
       .summary = "Load a part of new firmware into a module.",
-      .id = 81,
-      .direction = Direction::to_board,
-      .min_size = 14,
-      .max_size = 138,
+      .id = 81, .direction = Direction::to_board,
+      .min_size = 14, .max_size = 138,
       .since = {.firmware = 2745},
       .effects = Effects(Effect::stores)};
   static constexpr FieldInfo fields[] = {
-      {.name = "device_id", .spec_name = "DEVICE_ID",
-       .summary = "The module."},
+      {.name = "device_id", .spec_name = "DEVICE_ID", .summary = "The module."},
       {.name = "packet_id", .spec_name = "PACKET_ID",
        .summary = "Number of the part from 0, modulo 256."},
-      {.name = "address", .spec_name = "ADDRESS",
-       .summary = "Offset of the part in the file.",
+      {.name = "address", .spec_name = "ADDRESS", .summary = "Offset of the part in the file.",
        .align = 4},
       {.name = "data_crc32", .spec_name = "DATA_CRC32",
        .summary = "CRC-32/ISO-HDLC of DATA, as in a zip file."},
-      {.name = "data", .spec_name = "DATA",
-       .summary = "The part.",
-       .min_count = 4,
-       .max_count = 128,
+      {.name = "data", .spec_name = "DATA", .summary = "The part.", .min_count = 4, .max_count = 128,
        .align = 4},
   };
   template <class T>
@@ -312,15 +273,12 @@ struct Meta<msg::ModuleFlashFinish> {
       .name = "ModuleFlashFinish",
       .command = "CMD_MODULE_FLASH_FINISH",
       .summary = "End the loading of firmware into a module.",
-      .id = 83,
-      .direction = Direction::to_board,
-      .min_size = 5,
-      .max_size = 5,
+      .id = 83, .direction = Direction::to_board,
+      .min_size = 5, .max_size = 5,
       .since = {.firmware = 2745},
       .effects = Effects(Effect::stores)};
   static constexpr FieldInfo fields[] = {
-      {.name = "device_id", .spec_name = "DEVICE_ID",
-       .summary = "The module."},
+      {.name = "device_id", .spec_name = "DEVICE_ID", .summary = "The module."},
       {.name = "file_crc32", .spec_name = "FILE_CRC32",
        .summary = "CRC-32/ISO-HDLC of the whole file."},
   };
@@ -343,10 +301,8 @@ struct Meta<msg::UdrvDeviceScan> {
       .name = "UdrvDeviceScan",
       .command = "CMD_UDRV_DEVICE_SCAN",
       .summary = "Search for uDrv modules and give them ids.",
-      .id = 144,
-      .direction = Direction::to_board,
-      .min_size = 0,
-      .max_size = 0,
+      .id = 144, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 0,
       .since = {.firmware = 2745},
       .answers = answers,
       .effects = Effects(Effect::stores)};
@@ -361,10 +317,8 @@ struct Meta<msg::SetTranspProxy> {
       .name = "SetTranspProxy",
       .command = "CMD_SET_TRANSP_PROXY",
       .summary = "Connect two serial ports of the board.",
-      .id = 143,
-      .direction = Direction::to_board,
-      .min_size = 2,
-      .max_size = 2,
+      .id = 143, .direction = Direction::to_board,
+      .min_size = 2, .max_size = 2,
       .since = {.firmware = 2745},
       .effects = Effects(Effect::sets) | Effect::disconnects};
   static constexpr Special port1_special[] = {
@@ -374,12 +328,9 @@ struct Meta<msg::SetTranspProxy> {
       {0, "the port of this request"},
   };
   static constexpr FieldInfo fields[] = {
-      {.name = "port1", .spec_name = "PORT1",
-       .summary = "A port; the first is 1.",
+      {.name = "port1", .spec_name = "PORT1", .summary = "A port; the first is 1.",
        .special = port1_special},
-      {.name = "port2", .spec_name = "PORT2",
-       .summary = "Another port.",
-       .special = port2_special},
+      {.name = "port2", .spec_name = "PORT2", .summary = "Another port.", .special = port2_special},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -399,15 +350,12 @@ struct Meta<msg::UartBypass> {
       .name = "UartBypass",
       .command = "CMD_UART_BYPASS",
       .summary = "Undocumented body from the board.",
-      .id = 60,
-      .direction = Direction::from_board,
-      .min_size = 0,
-      .max_size = 255,
+      .id = 60, .direction = Direction::from_board,
+      .min_size = 0, .max_size = 255,
       .since = {.firmware = 2500, .board = 30},
       .unconfirmed = true};
   static constexpr FieldInfo fields[] = {
-      {.name = "data", .spec_name = "DATA",
-       .summary = "Undocumented content."},
+      {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -425,16 +373,13 @@ struct Meta<msg::UartBypassRequest> {
       .name = "UartBypassRequest",
       .command = "CMD_UART_BYPASS",
       .summary = "Undocumented body to the board.",
-      .id = 60,
-      .direction = Direction::to_board,
-      .min_size = 0,
-      .max_size = 255,
+      .id = 60, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 255,
       .since = {.firmware = 2500, .board = 30},
       .unconfirmed = true,
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
-      {.name = "data", .spec_name = "DATA",
-       .summary = "Undocumented content."},
+      {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -452,14 +397,11 @@ struct Meta<msg::SetDeviceAddr> {
       .name = "SetDeviceAddr",
       .command = "CMD_SET_DEVICE_ADDR",
       .summary = "Undocumented body from the board.",
-      .id = 107,
-      .direction = Direction::from_board,
-      .min_size = 0,
-      .max_size = 255,
+      .id = 107, .direction = Direction::from_board,
+      .min_size = 0, .max_size = 255,
       .since = {.firmware = 2600}};
   static constexpr FieldInfo fields[] = {
-      {.name = "data", .spec_name = "DATA",
-       .summary = "Undocumented content."},
+      {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -477,15 +419,12 @@ struct Meta<msg::SetDeviceAddrRequest> {
       .name = "SetDeviceAddrRequest",
       .command = "CMD_SET_DEVICE_ADDR",
       .summary = "Undocumented body to the board.",
-      .id = 107,
-      .direction = Direction::to_board,
-      .min_size = 0,
-      .max_size = 255,
+      .id = 107, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 255,
       .since = {.firmware = 2600},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
-      {.name = "data", .spec_name = "DATA",
-       .summary = "Undocumented content."},
+      {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -503,14 +442,11 @@ struct Meta<msg::SerialProxy> {
       .name = "SerialProxy",
       .command = "CMD_SERIAL_PROXY",
       .summary = "Undocumented body from the board.",
-      .id = 113,
-      .direction = Direction::from_board,
-      .min_size = 0,
-      .max_size = 255,
+      .id = 113, .direction = Direction::from_board,
+      .min_size = 0, .max_size = 255,
       .since = {.firmware = 2600}};
   static constexpr FieldInfo fields[] = {
-      {.name = "data", .spec_name = "DATA",
-       .summary = "Undocumented content."},
+      {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -528,15 +464,12 @@ struct Meta<msg::SerialProxyRequest> {
       .name = "SerialProxyRequest",
       .command = "CMD_SERIAL_PROXY",
       .summary = "Undocumented body to the board.",
-      .id = 113,
-      .direction = Direction::to_board,
-      .min_size = 0,
-      .max_size = 255,
+      .id = 113, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 255,
       .since = {.firmware = 2600},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
-      {.name = "data", .spec_name = "DATA",
-       .summary = "Undocumented content."},
+      {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {

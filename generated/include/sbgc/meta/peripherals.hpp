@@ -19,10 +19,8 @@ struct Meta<msg::BeepSound> {
       .name = "BeepSound",
       .command = "CMD_BEEP_SOUND",
       .summary = "Play a melody through the motors, or a standard sound.",
-      .id = 89,
-      .direction = Direction::to_board,
-      .min_size = 12,
-      .max_size = 112,
+      .id = 89, .direction = Direction::to_board,
+      .min_size = 12, .max_size = 112,
       .since = {.firmware = 2590, .board = 30},
       .effects = Effects(Effect::sets)};
   static constexpr Range note_length_range{1, 255};
@@ -38,26 +36,20 @@ struct Meta<msg::BeepSound> {
       {21000, "pause, then the envelope starts again"},
   };
   static constexpr FieldInfo fields[] = {
-      {.name = "mode", .spec_name = "MODE",
-       .summary = "Sound to play."},
+      {.name = "mode", .spec_name = "MODE", .summary = "Sound to play."},
       {.name = "note_length", .spec_name = "NOTE_LENGTH",
        .summary = "Length of each note of a custom melody.",
-       .unit = &UnitMeta<msg::NoteLength>::info,
-       .range = &note_length_range,
+       .unit = &UnitMeta<msg::NoteLength>::info, .range = &note_length_range,
        .special = note_length_special},
       {.name = "decay_factor", .spec_name = "DECAY_FACTOR",
        .summary = "How slowly a note fades after each pause; 0 disables the envelope. Audible only with encoder firmware or while the motors are off.",
-       .range = &decay_factor_range,
-       .special = decay_factor_special},
-      {.name = "reserved", .spec_name = "RESERVED",
-       .summary = "Reserved; kept as it is.",
+       .range = &decay_factor_range, .special = decay_factor_special},
+      {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
       {.name = "note_freq_hz", .spec_name = "NOTE_FREQ_HZ",
        .summary = "The notes of a custom melody; at most 30 in firmware of the specification's time.",
-       .unit = &UnitMeta<msg::NoteFrequency>::info,
-       .range = &note_freq_hz_range,
-       .special = note_freq_hz_special,
-       .max_count = 50},
+       .unit = &UnitMeta<msg::NoteFrequency>::info, .range = &note_freq_hz_range,
+       .special = note_freq_hz_special, .max_count = 50},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -83,16 +75,12 @@ struct Meta<msg::TriggerPin> {
       .name = "TriggerPin",
       .command = "CMD_TRIGGER_PIN",
       .summary = "Switch an output pin.",
-      .id = 84,
-      .direction = Direction::to_board,
-      .min_size = 2,
-      .max_size = 2,
+      .id = 84, .direction = Direction::to_board,
+      .min_size = 2, .max_size = 2,
       .effects = Effects(Effect::sets)};
   static constexpr FieldInfo fields[] = {
-      {.name = "pin_id", .spec_name = "PIN_ID",
-       .summary = "The pin."},
-      {.name = "state", .spec_name = "STATE",
-       .summary = "New state of the pin."},
+      {.name = "pin_id", .spec_name = "PIN_ID", .summary = "The pin."},
+      {.name = "state", .spec_name = "STATE", .summary = "New state of the pin."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -112,10 +100,8 @@ struct Meta<msg::ServoOut> {
       .name = "ServoOut",
       .command = "CMD_SERVO_OUT",
       .summary = "Send PWM signals to eight servos.",
-      .id = 36,
-      .direction = Direction::to_board,
-      .min_size = 16,
-      .max_size = 16,
+      .id = 36, .direction = Direction::to_board,
+      .min_size = 16, .max_size = 16,
       .since = {.board = 30},
       .effects = Effects(Effect::moves)};
   static constexpr Range servo_time_range{-1, 20000};
@@ -124,10 +110,8 @@ struct Meta<msg::ServoOut> {
       {0, "the pin is low all the time"},
   };
   static constexpr FieldInfo fields[] = {
-      {.name = "servo_time", .spec_name = "SERVO{1..8}_TIME",
-       .summary = "Pulse of each output.",
-       .unit = &UnitMeta<msg::ServoPulse>::info,
-       .range = &servo_time_range,
+      {.name = "servo_time", .spec_name = "SERVO{1..8}_TIME", .summary = "Pulse of each output.",
+       .unit = &UnitMeta<msg::ServoPulse>::info, .range = &servo_time_range,
        .special = servo_time_special},
   };
   template <class T>
@@ -146,10 +130,8 @@ struct Meta<msg::ServoOutFour> {
       .name = "ServoOutFour",
       .command = "CMD_SERVO_OUT",
       .summary = "Send PWM signals to the servos 1 to 4.",
-      .id = 36,
-      .direction = Direction::to_board,
-      .min_size = 8,
-      .max_size = 8,
+      .id = 36, .direction = Direction::to_board,
+      .min_size = 8, .max_size = 8,
       .since = {.board = 30},
       .effects = Effects(Effect::moves)};
   static constexpr Range servo_time_range{-1, 20000};
@@ -158,10 +140,8 @@ struct Meta<msg::ServoOutFour> {
       {0, "the pin is low all the time"},
   };
   static constexpr FieldInfo fields[] = {
-      {.name = "servo_time", .spec_name = "SERVO{1..4}_TIME",
-       .summary = "Pulse of each output.",
-       .unit = &UnitMeta<msg::ServoPulse>::info,
-       .range = &servo_time_range,
+      {.name = "servo_time", .spec_name = "SERVO{1..4}_TIME", .summary = "Pulse of each output.",
+       .unit = &UnitMeta<msg::ServoPulse>::info, .range = &servo_time_range,
        .special = servo_time_special},
   };
   template <class T>
@@ -180,10 +160,8 @@ struct Meta<msg::ServoOutExt> {
       .name = "ServoOutExt",
       .command = "CMD_SERVO_OUT_EXT",
       .summary = "Send PWM signals to servos of the board and of its CAN motor drivers.",
-      .id = 133,
-      .direction = Direction::to_board,
-      .min_size = 4,
-      .max_size = 68,
+      .id = 133, .direction = Direction::to_board,
+      .min_size = 4, .max_size = 68,
       .since = {.firmware = 2732},
       .effects = Effects(Effect::moves)};
   static constexpr Range servo_time_range{-1, 20000};
@@ -192,12 +170,10 @@ struct Meta<msg::ServoOutExt> {
       {0, "the pin is low all the time"},
   };
   static constexpr FieldInfo fields[] = {
-      {.name = "servo_bits", .spec_name = "SERVO_BITS",
-       .summary = "Outputs to set."},
+      {.name = "servo_bits", .spec_name = "SERVO_BITS", .summary = "Outputs to set."},
       {.name = "servo_time", .spec_name = "SERVO_TIME",
        .summary = "Pulse of each selected output, from the lowest bit to the highest.",
-       .unit = &UnitMeta<msg::ServoPulse>::info,
-       .range = &servo_time_range,
+       .unit = &UnitMeta<msg::ServoPulse>::info, .range = &servo_time_range,
        .special = servo_time_special},
   };
   template <class T>
@@ -218,19 +194,14 @@ struct Meta<msg::I2cWriteRegBuf> {
       .name = "I2cWriteRegBuf",
       .command = "CMD_I2C_WRITE_REG_BUF",
       .summary = "Write to a device on an I2C bus.",
-      .id = 39,
-      .direction = Direction::to_board,
-      .min_size = 2,
-      .max_size = 255,
+      .id = 39, .direction = Direction::to_board,
+      .min_size = 2, .max_size = 255,
       .since = {.board = 30},
       .effects = Effects(Effect::sets) | Effect::stores};
   static constexpr FieldInfo fields[] = {
-      {.name = "device_addr", .spec_name = "DEVICE_ADDR",
-       .summary = "The device."},
-      {.name = "reg_addr", .spec_name = "REG_ADDR",
-       .summary = "First register."},
-      {.name = "data", .spec_name = "DATA",
-       .summary = "Data to write."},
+      {.name = "device_addr", .spec_name = "DEVICE_ADDR", .summary = "The device."},
+      {.name = "reg_addr", .spec_name = "REG_ADDR", .summary = "First register."},
+      {.name = "data", .spec_name = "DATA", .summary = "Data to write."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -252,15 +223,12 @@ struct Meta<msg::I2cReadRegBuf> {
       .name = "I2cReadRegBuf",
       .command = "CMD_I2C_READ_REG_BUF",
       .summary = "Data from a device on an I2C bus.",
-      .id = 40,
-      .direction = Direction::from_board,
-      .min_size = 0,
-      .max_size = 255,
+      .id = 40, .direction = Direction::from_board,
+      .min_size = 0, .max_size = 255,
       .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA",
-       .summary = "The data, 1 to 255 bytes: as many as requested.",
-       .max_count = 255},
+       .summary = "The data, 1 to 255 bytes: as many as requested.", .max_count = 255},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -279,23 +247,17 @@ struct Meta<msg::I2cReadRegBufRequest> {
       .name = "I2cReadRegBufRequest",
       .command = "CMD_I2C_READ_REG_BUF",
       .summary = "Read from a device on an I2C bus.",
-      .id = 40,
-      .direction = Direction::to_board,
-      .min_size = 3,
-      .max_size = 3,
+      .id = 40, .direction = Direction::to_board,
+      .min_size = 3, .max_size = 3,
       .since = {.board = 30},
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr Range data_len_range{1, 255};
   static constexpr FieldInfo fields[] = {
-      {.name = "device_addr", .spec_name = "DEVICE_ADDR",
-       .summary = "The device."},
-      {.name = "reg_addr", .spec_name = "REG_ADDR",
-       .summary = "First register."},
-      {.name = "data_len", .spec_name = "DATA_LEN",
-       .summary = "Number of bytes to read.",
-       .unit = &UnitMeta<msg::SmallByteCount>::info,
-       .range = &data_len_range},
+      {.name = "device_addr", .spec_name = "DEVICE_ADDR", .summary = "The device."},
+      {.name = "reg_addr", .spec_name = "REG_ADDR", .summary = "First register."},
+      {.name = "data_len", .spec_name = "DATA_LEN", .summary = "Number of bytes to read.",
+       .unit = &UnitMeta<msg::SmallByteCount>::info, .range = &data_len_range},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -318,22 +280,17 @@ struct Meta<msg::I2cReadRegBufRequestNoRegister> {
       .name = "I2cReadRegBufRequestNoRegister",
       .command = "CMD_I2C_READ_REG_BUF",
       .summary = "Read from a device without registers.",
-      .id = 40,
-      .direction = Direction::to_board,
-      .min_size = 2,
-      .max_size = 2,
+      .id = 40, .direction = Direction::to_board,
+      .min_size = 2, .max_size = 2,
       .since = {.board = 30},
       .unconfirmed = true,
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr Range data_len_range{1, 255};
   static constexpr FieldInfo fields[] = {
-      {.name = "device_addr", .spec_name = "DEVICE_ADDR",
-       .summary = "The device."},
-      {.name = "data_len", .spec_name = "DATA_LEN",
-       .summary = "Number of bytes to read.",
-       .unit = &UnitMeta<msg::SmallByteCount>::info,
-       .range = &data_len_range},
+      {.name = "device_addr", .spec_name = "DEVICE_ADDR", .summary = "The device."},
+      {.name = "data_len", .spec_name = "DATA_LEN", .summary = "Number of bytes to read.",
+       .unit = &UnitMeta<msg::SmallByteCount>::info, .range = &data_len_range},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -354,24 +311,18 @@ struct Meta<msg::I2cReadRegBufRequestWideRegister> {
       .name = "I2cReadRegBufRequestWideRegister",
       .command = "CMD_I2C_READ_REG_BUF",
       .summary = "Read from a device with 16-bit register addresses.",
-      .id = 40,
-      .direction = Direction::to_board,
-      .min_size = 4,
-      .max_size = 4,
+      .id = 40, .direction = Direction::to_board,
+      .min_size = 4, .max_size = 4,
       .since = {.board = 30},
       .unconfirmed = true,
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr Range data_len_range{1, 255};
   static constexpr FieldInfo fields[] = {
-      {.name = "device_addr", .spec_name = "DEVICE_ADDR",
-       .summary = "The device."},
-      {.name = "reg_addr", .spec_name = "REG_ADDR",
-       .summary = "First register."},
-      {.name = "data_len", .spec_name = "DATA_LEN",
-       .summary = "Number of bytes to read.",
-       .unit = &UnitMeta<msg::SmallByteCount>::info,
-       .range = &data_len_range},
+      {.name = "device_addr", .spec_name = "DEVICE_ADDR", .summary = "The device."},
+      {.name = "reg_addr", .spec_name = "REG_ADDR", .summary = "First register."},
+      {.name = "data_len", .spec_name = "DATA_LEN", .summary = "Number of bytes to read.",
+       .unit = &UnitMeta<msg::SmallByteCount>::info, .range = &data_len_range},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -393,10 +344,8 @@ struct Meta<msg::ApiVirtChControl> {
       .name = "ApiVirtChControl",
       .command = "CMD_API_VIRT_CH_CONTROL",
       .summary = "Set the host's virtual RC channels, which can control the camera and more.",
-      .id = 45,
-      .direction = Direction::to_board,
-      .min_size = 2,
-      .max_size = 64,
+      .id = 45, .direction = Direction::to_board,
+      .min_size = 2, .max_size = 64,
       .since = {.board = 30},
       .effects = Effects(Effect::sets) | Effect::stores | Effect::moves | Effect::restarts};
   static constexpr Range val_ch_range{-500, 500};
@@ -406,11 +355,8 @@ struct Meta<msg::ApiVirtChControl> {
   static constexpr FieldInfo fields[] = {
       {.name = "val_ch", .spec_name = "VAL_CH{1..32}",
        .summary = "Signal of each channel, starting with the first; the board clips values beyond the range.",
-       .unit = &UnitMeta<msg::CentredRcSignal>::info,
-       .range = &val_ch_range,
-       .special = val_ch_special,
-       .min_count = 1,
-       .max_count = 32},
+       .unit = &UnitMeta<msg::CentredRcSignal>::info, .range = &val_ch_range,
+       .special = val_ch_special, .min_count = 1, .max_count = 32},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -428,10 +374,8 @@ struct Meta<msg::ApiVirtChHighRes> {
       .name = "ApiVirtChHighRes",
       .command = "CMD_API_VIRT_CH_HIGH_RES",
       .summary = "Set the host's virtual RC channels in high resolution; they can control the camera and more.",
-      .id = 116,
-      .direction = Direction::to_board,
-      .min_size = 2,
-      .max_size = 64,
+      .id = 116, .direction = Direction::to_board,
+      .min_size = 2, .max_size = 64,
       .since = {.firmware = 2687},
       .effects = Effects(Effect::sets) | Effect::stores | Effect::moves | Effect::restarts};
   static constexpr Range val_ch_range{-16384, 16384};
@@ -441,11 +385,8 @@ struct Meta<msg::ApiVirtChHighRes> {
   static constexpr FieldInfo fields[] = {
       {.name = "val_ch", .spec_name = "VAL_CH{1..32}",
        .summary = "Signal of each channel, starting with the first.",
-       .unit = &UnitMeta<msg::FineRcSignal>::info,
-       .range = &val_ch_range,
-       .special = val_ch_special,
-       .min_count = 1,
-       .max_count = 32},
+       .unit = &UnitMeta<msg::FineRcSignal>::info, .range = &val_ch_range, .special = val_ch_special,
+       .min_count = 1, .max_count = 32},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -463,10 +404,8 @@ struct Meta<msg::ReadRcInputs> {
       .name = "ReadRcInputs",
       .command = "CMD_READ_RC_INPUTS",
       .summary = "RC signals of selected inputs.",
-      .id = 100,
-      .direction = Direction::from_board,
-      .min_size = 0,
-      .max_size = 254,
+      .id = 100, .direction = Direction::from_board,
+      .min_size = 0, .max_size = 254,
       .since = {.firmware = 2600}};
   static constexpr Range rc_val_range{-16384, 16384};
   static constexpr Special rc_val_special[] = {
@@ -475,9 +414,7 @@ struct Meta<msg::ReadRcInputs> {
   static constexpr FieldInfo fields[] = {
       {.name = "rc_val", .spec_name = "RC_VAL",
        .summary = "Signal of each requested input, in the order of the request.",
-       .unit = &UnitMeta<msg::FineRcSignal>::info,
-       .range = &rc_val_range,
-       .special = rc_val_special,
+       .unit = &UnitMeta<msg::FineRcSignal>::info, .range = &rc_val_range, .special = rc_val_special,
        .max_count = 127},
   };
   template <class T>
@@ -497,16 +434,13 @@ struct Meta<msg::ReadRcInputsRequest> {
       .name = "ReadRcInputsRequest",
       .command = "CMD_READ_RC_INPUTS",
       .summary = "Request the RC signals of selected inputs.",
-      .id = 100,
-      .direction = Direction::to_board,
-      .min_size = 2,
-      .max_size = 129,
+      .id = 100, .direction = Direction::to_board,
+      .min_size = 2, .max_size = 129,
       .since = {.firmware = 2600},
       .answers = answers,
       .effects = Effects(Effect::sets)};
   static constexpr FieldInfo fields[] = {
-      {.name = "cfg_flags", .spec_name = "CFG_FLAGS",
-       .summary = "Options."},
+      {.name = "cfg_flags", .spec_name = "CFG_FLAGS", .summary = "Options."},
       {.name = "rc_src", .spec_name = "RC_SRC",
        .summary = "The inputs; more than 127 signals do not fit into the response.",
        .max_count = 127},

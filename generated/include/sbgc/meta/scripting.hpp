@@ -19,19 +19,14 @@ struct Meta<msg::RunScript> {
       .name = "RunScript",
       .command = "CMD_RUN_SCRIPT",
       .summary = "Start or stop a script.",
-      .id = 57,
-      .direction = Direction::to_board,
-      .min_size = 34,
-      .max_size = 34,
+      .id = 57, .direction = Direction::to_board,
+      .min_size = 34, .max_size = 34,
       .since = {.board = 30},
       .effects = Effects(Effect::sets) | Effect::stores | Effect::moves | Effect::restarts};
   static constexpr FieldInfo fields[] = {
-      {.name = "mode", .spec_name = "MODE",
-       .summary = "Operation."},
-      {.name = "slot", .spec_name = "SLOT",
-       .summary = "Script slot, counted from 0."},
-      {.name = "reserved", .spec_name = "RESERVED",
-       .summary = "Reserved; kept as it is.",
+      {.name = "mode", .spec_name = "MODE", .summary = "Operation."},
+      {.name = "slot", .spec_name = "SLOT", .summary = "Script slot, counted from 0."},
+      {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
   template <class T>
@@ -54,10 +49,8 @@ struct Meta<msg::ScriptDebug> {
       .name = "ScriptDebug",
       .command = "CMD_SCRIPT_DEBUG",
       .summary = "Progress of a script started with debugging.",
-      .id = 58,
-      .direction = Direction::from_board,
-      .min_size = 3,
-      .max_size = 3,
+      .id = 58, .direction = Direction::from_board,
+      .min_size = 3, .max_size = 3,
       .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "cmd_count", .spec_name = "CMD_COUNT",

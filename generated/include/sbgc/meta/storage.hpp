@@ -19,19 +19,13 @@ struct Meta<msg::EepromWrite> {
       .name = "EepromWrite",
       .command = "CMD_EEPROM_WRITE",
       .summary = "Write a block to the EEPROM.",
-      .id = 47,
-      .direction = Direction::to_board,
-      .min_size = 4,
-      .max_size = 196,
+      .id = 47, .direction = Direction::to_board,
+      .min_size = 4, .max_size = 196,
       .since = {.board = 30},
       .effects = Effects(Effect::stores) | Effect::moves};
   static constexpr FieldInfo fields[] = {
-      {.name = "addr", .spec_name = "ADDR",
-       .summary = "Address to write to.",
-       .align = 64},
-      {.name = "data", .spec_name = "DATA",
-       .summary = "Data to write.",
-       .max_count = 192,
+      {.name = "addr", .spec_name = "ADDR", .summary = "Address to write to.", .align = 64},
+      {.name = "data", .spec_name = "DATA", .summary = "Data to write.", .max_count = 192,
        .align = 64},
   };
   template <class T>
@@ -52,21 +46,17 @@ struct Meta<msg::ReadFile> {
       .name = "ReadFile",
       .command = "CMD_READ_FILE",
       .summary = "Part of a file.",
-      .id = 53,
-      .direction = Direction::from_board,
-      .min_size = 4,
-      .max_size = 255,
+      .id = 53, .direction = Direction::from_board,
+      .min_size = 4, .max_size = 255,
       .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
-      {.name = "file_size", .spec_name = "FILE_SIZE",
-       .summary = "Size of the whole file.",
+      {.name = "file_size", .spec_name = "FILE_SIZE", .summary = "Size of the whole file.",
        .unit = &UnitMeta<msg::ByteCount>::info},
       {.name = "page_offset", .spec_name = "PAGE_OFFSET",
        .summary = "Offset of the data in the file, as in the request.",
        .unit = &UnitMeta<msg::Pages>::info},
       {.name = "data", .spec_name = "DATA",
-       .summary = "As many bytes as requested, or fewer at the end of the file.",
-       .max_count = 251},
+       .summary = "As many bytes as requested, or fewer at the end of the file.", .max_count = 251},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -88,14 +78,11 @@ struct Meta<msg::ReadFileError> {
       .name = "ReadFileError",
       .command = "CMD_READ_FILE",
       .summary = "Why a file could not be read.",
-      .id = 53,
-      .direction = Direction::from_board,
-      .min_size = 1,
-      .max_size = 1,
+      .id = 53, .direction = Direction::from_board,
+      .min_size = 1, .max_size = 1,
       .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
-      {.name = "err_code", .spec_name = "ERR_CODE",
-       .summary = "Error code."},
+      {.name = "err_code", .spec_name = "ERR_CODE", .summary = "Error code."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -114,26 +101,20 @@ struct Meta<msg::ReadFileRequest> {
       .name = "ReadFileRequest",
       .command = "CMD_READ_FILE",
       .summary = "Read part of a file.",
-      .id = 53,
-      .direction = Direction::to_board,
-      .min_size = 20,
-      .max_size = 20,
+      .id = 53, .direction = Direction::to_board,
+      .min_size = 20, .max_size = 20,
       .since = {.board = 30},
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr Range max_data_size_range{0, 251};
   static constexpr FieldInfo fields[] = {
-      {.name = "file_id", .spec_name = "FILE_ID",
-       .summary = "File id."},
-      {.name = "page_offset", .spec_name = "PAGE_OFFSET",
-       .summary = "Start of the block.",
+      {.name = "file_id", .spec_name = "FILE_ID", .summary = "File id."},
+      {.name = "page_offset", .spec_name = "PAGE_OFFSET", .summary = "Start of the block.",
        .unit = &UnitMeta<msg::Pages>::info},
       {.name = "max_data_size", .spec_name = "MAX_SIZE",
        .summary = "Maximum number of bytes to read; they must fit into one message.",
-       .unit = &UnitMeta<msg::ByteCount>::info,
-       .range = &max_data_size_range},
-      {.name = "reserved", .spec_name = "RESERVED",
-       .summary = "Reserved; kept as it is.",
+       .unit = &UnitMeta<msg::ByteCount>::info, .range = &max_data_size_range},
+      {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
   template <class T>
@@ -158,23 +139,17 @@ struct Meta<msg::WriteFile> {
       .name = "WriteFile",
       .command = "CMD_WRITE_FILE",
       .summary = "Write part of a file; without data, delete it.",
-      .id = 54,
-      .direction = Direction::to_board,
-      .min_size = 6,
-      .max_size = 255,
+      .id = 54, .direction = Direction::to_board,
+      .min_size = 6, .max_size = 255,
       .since = {.board = 30},
       .effects = Effects(Effect::stores) | Effect::erases};
   static constexpr FieldInfo fields[] = {
-      {.name = "file_id", .spec_name = "FILE_ID",
-       .summary = "File id; a missing file is created."},
-      {.name = "file_size", .spec_name = "FILE_SIZE",
-       .summary = "Size of the whole file.",
+      {.name = "file_id", .spec_name = "FILE_ID", .summary = "File id; a missing file is created."},
+      {.name = "file_size", .spec_name = "FILE_SIZE", .summary = "Size of the whole file.",
        .unit = &UnitMeta<msg::ByteCount>::info},
-      {.name = "page_offset", .spec_name = "PAGE_OFFSET",
-       .summary = "Start of the block.",
+      {.name = "page_offset", .spec_name = "PAGE_OFFSET", .summary = "Start of the block.",
        .unit = &UnitMeta<msg::Pages>::info},
-      {.name = "data", .spec_name = "DATA",
-       .summary = "Data to write; empty deletes the file.",
+      {.name = "data", .spec_name = "DATA", .summary = "Data to write; empty deletes the file.",
        .max_count = 249},
   };
   template <class T>
@@ -199,10 +174,8 @@ struct Meta<msg::FsClearAll> {
       .name = "FsClearAll",
       .command = "CMD_FS_CLEAR_ALL",
       .summary = "Delete all files.",
-      .id = 55,
-      .direction = Direction::to_board,
-      .min_size = 0,
-      .max_size = 0,
+      .id = 55, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 0,
       .since = {.board = 30},
       .effects = Effects(Effect::erases)};
 
@@ -216,18 +189,13 @@ struct Meta<msg::EepromRead> {
       .name = "EepromRead",
       .command = "CMD_EEPROM_READ",
       .summary = "A block of the EEPROM.",
-      .id = 48,
-      .direction = Direction::from_board,
-      .min_size = 4,
-      .max_size = 196,
+      .id = 48, .direction = Direction::from_board,
+      .min_size = 4, .max_size = 196,
       .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
-      {.name = "addr", .spec_name = "ADDR",
-       .summary = "Address of the block.",
-       .align = 64},
+      {.name = "addr", .spec_name = "ADDR", .summary = "Address of the block.", .align = 64},
       {.name = "data", .spec_name = "DATA",
-       .summary = "Content of the block, as many bytes as requested.",
-       .max_count = 192},
+       .summary = "Content of the block, as many bytes as requested.", .max_count = 192},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -248,23 +216,17 @@ struct Meta<msg::EepromReadRequest> {
       .name = "EepromReadRequest",
       .command = "CMD_EEPROM_READ",
       .summary = "Read a block of the EEPROM.",
-      .id = 48,
-      .direction = Direction::to_board,
-      .min_size = 6,
-      .max_size = 6,
+      .id = 48, .direction = Direction::to_board,
+      .min_size = 6, .max_size = 6,
       .since = {.board = 30},
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr Range size_range{0, 192};
   static constexpr FieldInfo fields[] = {
-      {.name = "addr", .spec_name = "ADDR",
-       .summary = "Start of the block.",
-       .align = 64},
+      {.name = "addr", .spec_name = "ADDR", .summary = "Start of the block.", .align = 64},
       {.name = "size", .spec_name = "SIZE",
        .summary = "Number of bytes to read; they must fit into one message.",
-       .unit = &UnitMeta<msg::ByteCount>::info,
-       .range = &size_range,
-       .align = 64},
+       .unit = &UnitMeta<msg::ByteCount>::info, .range = &size_range, .align = 64},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -284,14 +246,11 @@ struct Meta<msg::ReadExternalData> {
       .name = "ReadExternalData",
       .command = "CMD_READ_EXTERNAL_DATA",
       .summary = "User data in the EEPROM.",
-      .id = 42,
-      .direction = Direction::from_board,
-      .min_size = 128,
-      .max_size = 128,
+      .id = 42, .direction = Direction::from_board,
+      .min_size = 128, .max_size = 128,
       .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
-      {.name = "data", .spec_name = "data",
-       .summary = "The user data."},
+      {.name = "data", .spec_name = "data", .summary = "The user data."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -311,10 +270,8 @@ struct Meta<msg::ReadExternalDataRequest> {
       .name = "ReadExternalDataRequest",
       .command = "CMD_READ_EXTERNAL_DATA",
       .summary = "Request the user data in the EEPROM.",
-      .id = 42,
-      .direction = Direction::to_board,
-      .min_size = 0,
-      .max_size = 0,
+      .id = 42, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 0,
       .since = {.board = 30},
       .answers = answers,
       .effects = Effects(Effect::reads)};
@@ -329,10 +286,8 @@ struct Meta<msg::WriteExternalData> : Meta<msg::ReadExternalData> {
       .name = "WriteExternalData",
       .command = "CMD_WRITE_EXTERNAL_DATA",
       .summary = "Store user data in the EEPROM.",
-      .id = 41,
-      .direction = Direction::to_board,
-      .min_size = 128,
-      .max_size = 128,
+      .id = 41, .direction = Direction::to_board,
+      .min_size = 128, .max_size = 128,
       .since = {.board = 30},
       .stores = "ReadExternalData",
       .effects = Effects(Effect::stores)};

@@ -19,23 +19,18 @@ struct Meta<msg::BoardInfo> {
       .name = "BoardInfo",
       .command = "CMD_BOARD_INFO",
       .summary = "Board version and features.",
-      .id = 86,
-      .direction = Direction::from_board,
-      .min_size = 18,
-      .max_size = 18};
+      .id = 86, .direction = Direction::from_board,
+      .min_size = 18, .max_size = 18};
   static constexpr Special firmware_ver_special[] = {
       {0, "unknown; the sensors are often unplugged"},
   };
   static constexpr FieldInfo fields[] = {
-      {.name = "board_ver", .spec_name = "BOARD_VER",
-       .summary = "Hardware version."},
-      {.name = "firmware_ver", .spec_name = "FIRMWARE_VER",
-       .summary = "Firmware version.",
+      {.name = "board_ver", .spec_name = "BOARD_VER", .summary = "Hardware version."},
+      {.name = "firmware_ver", .spec_name = "FIRMWARE_VER", .summary = "Firmware version.",
        .special = firmware_ver_special},
       {.name = "debug_mode", .spec_name = "DEBUG_MODE",
        .summary = "State of the board; before later firmware, only whether debug output is enabled."},
-      {.name = "board_features", .spec_name = "BOARD_FEATURES",
-       .summary = "Features of the board."},
+      {.name = "board_features", .spec_name = "BOARD_FEATURES", .summary = "Features of the board."},
       {.name = "connection_flags", .spec_name = "CONNECTION_FLAGS",
        .summary = "How this host is connected."},
       {.name = "frw_extra_id", .spec_name = "FRW_EXTRA_ID",
@@ -89,10 +84,8 @@ struct Meta<msg::BoardInfoRequest> {
       .name = "BoardInfoRequest",
       .command = "CMD_BOARD_INFO",
       .summary = "Request the board and firmware version.",
-      .id = 86,
-      .direction = Direction::to_board,
-      .min_size = 0,
-      .max_size = 0,
+      .id = 86, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 0,
       .answers = answers,
       .effects = Effects(Effect::reads)};
 
@@ -107,15 +100,12 @@ struct Meta<msg::BoardInfoRequestOneByte> {
       .name = "BoardInfoRequestOneByte",
       .command = "CMD_BOARD_INFO",
       .summary = "Request the board and firmware version, with a byte that has no meaning.",
-      .id = 86,
-      .direction = Direction::to_board,
-      .min_size = 1,
-      .max_size = 1,
+      .id = 86, .direction = Direction::to_board,
+      .min_size = 1, .max_size = 1,
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr FieldInfo fields[] = {
-      {.name = "reserved", .spec_name = "RESERVED",
-       .summary = "Reserved; kept as it is.",
+      {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
   template <class T>
@@ -135,10 +125,8 @@ struct Meta<msg::BoardInfoRequestExt> {
       .name = "BoardInfoRequestExt",
       .command = "CMD_BOARD_INFO",
       .summary = "Request the board and firmware version, and configure this serial port.",
-      .id = 86,
-      .direction = Direction::to_board,
-      .min_size = 2,
-      .max_size = 255,
+      .id = 86, .direction = Direction::to_board,
+      .min_size = 2, .max_size = 255,
       .secret_from = 2,
       .answers = answers,
       .effects = Effects(Effect::sets)};
@@ -147,10 +135,8 @@ struct Meta<msg::BoardInfoRequestExt> {
        .summary = "On a UART, the pause between the 20-byte packets of a Bluetooth LE link; no meaning on USB.",
        .unit = &UnitMeta<msg::Milliseconds>::info},
       {.name = "password", .spec_name = "PASSWORD",
-       .summary = "Opens a port with a password, from firmware 2.73.6 on.",
-       .secret = true},
-      {.name = "reserved", .spec_name = "RESERVED",
-       .summary = "Reserved; kept as it is.",
+       .summary = "Opens a port with a password, from firmware 2.73.6 on.", .secret = true},
+      {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
   template <class T>
@@ -173,30 +159,21 @@ struct Meta<msg::Confirm> {
       .name = "Confirm",
       .command = "CMD_CONFIRM",
       .summary = "The board executed a command.",
-      .id = 67,
-      .direction = Direction::from_board,
-      .min_size = 1,
-      .max_size = 6};
+      .id = 67, .direction = Direction::from_board,
+      .min_size = 1, .max_size = 6};
   static constexpr Range pin_state_range{0, 1};
   static constexpr Special pin_state_special[] = {
       {-1, "the pin is unavailable"},
   };
   static constexpr FieldInfo fields[] = {
-      {.name = "cmd", .spec_name = "CMD",
-       .summary = "The confirmed command."},
-      {.name = "addr", .spec_name = "ADDR",
-       .summary = "Address of the written block."},
-      {.name = "err_code", .spec_name = "ERR_CODE",
-       .summary = "Result of the file operation."},
-      {.name = "pin_id", .spec_name = "PIN_ID",
-       .summary = "The pin that became an input."},
-      {.name = "pin_state", .spec_name = "PIN_STATE",
-       .summary = "Its level.",
-       .range = &pin_state_range,
-       .special = pin_state_special},
+      {.name = "cmd", .spec_name = "CMD", .summary = "The confirmed command."},
+      {.name = "addr", .spec_name = "ADDR", .summary = "Address of the written block."},
+      {.name = "err_code", .spec_name = "ERR_CODE", .summary = "Result of the file operation."},
+      {.name = "pin_id", .spec_name = "PIN_ID", .summary = "The pin that became an input."},
+      {.name = "pin_state", .spec_name = "PIN_STATE", .summary = "Its level.",
+       .range = &pin_state_range, .special = pin_state_special},
       {.name = "data", .spec_name = "DATA",
-       .summary = "Data of other commands; usually empty, or 0 for success.",
-       .max_count = 5},
+       .summary = "Data of other commands; usually empty, or 0 for success.", .max_count = 5},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -224,14 +201,11 @@ struct Meta<msg::Error> {
       .name = "Error",
       .command = "CMD_ERROR",
       .summary = "An error as the specification describes it.",
-      .id = 255,
-      .direction = Direction::from_board,
-      .min_size = 5,
-      .max_size = 5,
+      .id = 255, .direction = Direction::from_board,
+      .min_size = 5, .max_size = 5,
       .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
-      {.name = "error_code", .spec_name = "ERROR_CODE",
-       .summary = "Error code."},
+      {.name = "error_code", .spec_name = "ERROR_CODE", .summary = "Error code."},
       {.name = "error_data", .spec_name = "ERROR_DATA",
        .summary = "Details that depend on the code."},
   };
@@ -253,16 +227,12 @@ struct Meta<msg::ErrorExt> {
       .name = "ErrorExt",
       .command = "CMD_ERROR",
       .summary = "An error as real boards send it, with the failed command.",
-      .id = 255,
-      .direction = Direction::from_board,
-      .min_size = 6,
-      .max_size = 6,
+      .id = 255, .direction = Direction::from_board,
+      .min_size = 6, .max_size = 6,
       .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
-      {.name = "cmd_id", .spec_name = "CMD_ID",
-       .summary = "The failed command."},
-      {.name = "error_code", .spec_name = "ERROR_CODE",
-       .summary = "Error code."},
+      {.name = "cmd_id", .spec_name = "CMD_ID", .summary = "The failed command."},
+      {.name = "error_code", .spec_name = "ERROR_CODE", .summary = "Error code."},
       {.name = "error_data", .spec_name = "ERROR_DATA",
        .summary = "Details that depend on the code."},
   };
@@ -287,10 +257,8 @@ struct Meta<msg::BoardInfo3> {
       .name = "BoardInfo3",
       .command = "CMD_BOARD_INFO_3",
       .summary = "Serial numbers, memory and scripts of the board.",
-      .id = 20,
-      .direction = Direction::from_board,
-      .min_size = 69,
-      .max_size = 69,
+      .id = 20, .direction = Direction::from_board,
+      .min_size = 69, .max_size = 69,
       .since = {.board = 30}};
   static constexpr Special script_slot_size_special[] = {
       {0, "the slot is empty"},
@@ -303,37 +271,28 @@ struct Meta<msg::BoardInfo3> {
       {0, "the slot is empty"},
   };
   static constexpr FieldInfo fields[] = {
-      {.name = "device_id", .spec_name = "deviceID",
-       .summary = "Identifies the board."},
-      {.name = "mcu_id", .spec_name = "mcuID",
-       .summary = "Identifies the microcontroller."},
-      {.name = "eeprom_size", .spec_name = "EEPROM_SIZE",
-       .summary = "Size of the EEPROM.",
+      {.name = "device_id", .spec_name = "deviceID", .summary = "Identifies the board."},
+      {.name = "mcu_id", .spec_name = "mcuID", .summary = "Identifies the microcontroller."},
+      {.name = "eeprom_size", .spec_name = "EEPROM_SIZE", .summary = "Size of the EEPROM.",
        .unit = &UnitMeta<msg::LongByteCount>::info},
       {.name = "script_slot_size", .spec_name = "SCRIPT_SLOT{1..5}_SIZE",
-       .summary = "Size of the user script in each slot.",
-       .unit = &UnitMeta<msg::ByteCount>::info,
+       .summary = "Size of the user script in each slot.", .unit = &UnitMeta<msg::ByteCount>::info,
        .special = script_slot_size_special},
       {.name = "profile_set_slots", .spec_name = "PROFILE_SET_SLOTS",
        .summary = "Profile sets in memory."},
       {.name = "profile_set_cur", .spec_name = "PROFILE_SET_CUR",
-       .summary = "Selected profile set; 6 is the backup.",
-       .range = &profile_set_cur_range,
+       .summary = "Selected profile set; 6 is the backup.", .range = &profile_set_cur_range,
        .special = profile_set_cur_special},
-      {.name = "flash_size", .spec_name = "FLASH_SIZE",
-       .summary = "Size of the flash memory.",
+      {.name = "flash_size", .spec_name = "FLASH_SIZE", .summary = "Size of the flash memory.",
        .unit = &UnitMeta<msg::FlashSize>::info},
       {.name = "imu_calib_info", .spec_name = "IMU_CALIB_INFO",
        .summary = "Information about the calibrations of the IMUs."},
       {.name = "script_slot_6_to_10_size", .spec_name = "SCRIPT_SLOT{6..10}_SIZE",
        .summary = "Size of the user script in each of slots 6 to 10.",
-       .unit = &UnitMeta<msg::ByteCount>::info,
-       .special = script_slot_6_to_10_size_special},
-      {.name = "hw_flags", .spec_name = "HW_FLAGS",
-       .summary = "Hardware on the board."},
+       .unit = &UnitMeta<msg::ByteCount>::info, .special = script_slot_6_to_10_size_special},
+      {.name = "hw_flags", .spec_name = "HW_FLAGS", .summary = "Hardware on the board."},
       {.name = "board_features_ext2", .spec_name = "BOARD_FEATURES_EXT2",
-       .summary = "More features of the board.",
-       .since = {.firmware = 2730}},
+       .summary = "More features of the board.", .since = {.firmware = 2730}},
       {.name = "can_drv_main_limit", .spec_name = "CAN_DRV_MAIN_LIMIT",
        .summary = "Number of licensed CAN motor drivers for the main axes.",
        .since = {.firmware = 2723}},
@@ -341,10 +300,8 @@ struct Meta<msg::BoardInfo3> {
        .summary = "Number of licensed CAN motor drivers for auxiliary motors.",
        .since = {.firmware = 2723}},
       {.name = "adj_vars_total_num", .spec_name = "ADJ_VARS_TOTAL_NUM",
-       .summary = "Number of adjustable variables.",
-       .since = {.firmware = 2730}},
-      {.name = "reserved", .spec_name = "RESERVED",
-       .summary = "Reserved; kept as it is.",
+       .summary = "Number of adjustable variables.", .since = {.firmware = 2730}},
+      {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
   template <class T>
@@ -393,10 +350,8 @@ struct Meta<msg::BoardInfo3Request> {
       .name = "BoardInfo3Request",
       .command = "CMD_BOARD_INFO_3",
       .summary = "Request serial numbers, memory and scripts of the board.",
-      .id = 20,
-      .direction = Direction::to_board,
-      .min_size = 0,
-      .max_size = 0,
+      .id = 20, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 0,
       .since = {.board = 30},
       .answers = answers,
       .effects = Effects(Effect::reads)};
@@ -411,10 +366,8 @@ struct Meta<msg::Reset> {
       .name = "Reset",
       .command = "CMD_RESET",
       .summary = "The board is about to restart.",
-      .id = 114,
-      .direction = Direction::from_board,
-      .min_size = 0,
-      .max_size = 0};
+      .id = 114, .direction = Direction::from_board,
+      .min_size = 0, .max_size = 0};
 
   static constexpr void visit(auto& value, auto&& visitor) {
     visitor(tail_field, value.tail);
@@ -427,10 +380,8 @@ struct Meta<msg::ResetRequest> {
       .name = "ResetRequest",
       .command = "CMD_RESET",
       .summary = "Restart immediately, without notification.",
-      .id = 114,
-      .direction = Direction::to_board,
-      .min_size = 0,
-      .max_size = 0,
+      .id = 114, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 0,
       .effects = Effects(Effect::restarts)};
 
   static constexpr void visit(auto&, auto&&) {
@@ -444,17 +395,13 @@ struct Meta<msg::ResetRequestExt> {
       .name = "ResetRequestExt",
       .command = "CMD_RESET",
       .summary = "Restart after a delay, with an optional notification.",
-      .id = 114,
-      .direction = Direction::to_board,
-      .min_size = 3,
-      .max_size = 3,
+      .id = 114, .direction = Direction::to_board,
+      .min_size = 3, .max_size = 3,
       .answers = answers,
       .effects = Effects(Effect::restarts)};
   static constexpr FieldInfo fields[] = {
-      {.name = "confirm", .spec_name = "CONFIRM",
-       .summary = "Whether CMD_RESET is sent back first."},
-      {.name = "delay_ms", .spec_name = "DELAY_MS",
-       .summary = "Delay before the restart.",
+      {.name = "confirm", .spec_name = "CONFIRM", .summary = "Whether CMD_RESET is sent back first."},
+      {.name = "delay_ms", .spec_name = "DELAY_MS", .summary = "Delay before the restart.",
        .unit = &UnitMeta<msg::Milliseconds>::info},
   };
   template <class T>
@@ -475,10 +422,8 @@ struct Meta<msg::BootMode3> {
       .name = "BootMode3",
       .command = "CMD_BOOT_MODE_3",
       .summary = "Enter the bootloader immediately, without notification.",
-      .id = 51,
-      .direction = Direction::to_board,
-      .min_size = 0,
-      .max_size = 0,
+      .id = 51, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 0,
       .since = {.board = 30},
       .effects = Effects(Effect::restarts) | Effect::disconnects};
 
@@ -493,18 +438,14 @@ struct Meta<msg::BootMode3Ext> {
       .name = "BootMode3Ext",
       .command = "CMD_BOOT_MODE_3",
       .summary = "Enter the bootloader after a delay, with an optional notification.",
-      .id = 51,
-      .direction = Direction::to_board,
-      .min_size = 3,
-      .max_size = 3,
+      .id = 51, .direction = Direction::to_board,
+      .min_size = 3, .max_size = 3,
       .since = {.board = 30},
       .answers = answers,
       .effects = Effects(Effect::restarts) | Effect::disconnects};
   static constexpr FieldInfo fields[] = {
-      {.name = "confirm", .spec_name = "CONFIRM",
-       .summary = "Whether CMD_RESET is sent back first."},
-      {.name = "delay_ms", .spec_name = "DELAY_MS",
-       .summary = "Delay before the bootloader starts.",
+      {.name = "confirm", .spec_name = "CONFIRM", .summary = "Whether CMD_RESET is sent back first."},
+      {.name = "delay_ms", .spec_name = "DELAY_MS", .summary = "Delay before the bootloader starts.",
        .unit = &UnitMeta<msg::Milliseconds>::info},
   };
   template <class T>
@@ -525,26 +466,20 @@ struct Meta<msg::ReadStateVars> {
       .name = "ReadStateVars",
       .command = "CMD_READ_STATE_VARS",
       .summary = "Statistics of the board's whole life.",
-      .id = 111,
-      .direction = Direction::from_board,
-      .min_size = 192,
-      .max_size = 192,
+      .id = 111, .direction = Direction::from_board,
+      .min_size = 192, .max_size = 192,
       .since = {.firmware = 2687, .board = 36, .features = 0x40000}};
   static constexpr FieldInfo fields[] = {
       {.name = "step_signal_val", .spec_name = "STEP_SIGNAL_VAL",
        .summary = "Current value of each step signal."},
       {.name = "sub_error", .spec_name = "SUB_ERROR",
        .summary = "Reason for the last emergency stop."},
-      {.name = "max_acc", .spec_name = "MAX_ACC",
-       .summary = "Highest acceleration.",
+      {.name = "max_acc", .spec_name = "MAX_ACC", .summary = "Highest acceleration.",
        .unit = &UnitMeta<msg::AccelerationPeak>::info},
-      {.name = "work_time", .spec_name = "WORK_TIME",
-       .summary = "Time in operation.",
+      {.name = "work_time", .spec_name = "WORK_TIME", .summary = "Time in operation.",
        .unit = &UnitMeta<msg::LongSeconds>::info},
-      {.name = "startup_cnt", .spec_name = "STARTUP_CNT",
-       .summary = "Number of starts."},
-      {.name = "max_current", .spec_name = "MAX_CURRENT",
-       .summary = "Highest current.",
+      {.name = "startup_cnt", .spec_name = "STARTUP_CNT", .summary = "Number of starts."},
+      {.name = "max_current", .spec_name = "MAX_CURRENT", .summary = "Highest current.",
        .unit = &UnitMeta<msg::Current>::info},
       {.name = "imu_temp_min", .spec_name = "IMU_TEMP_MIN",
        .summary = "Lowest temperature of the IMU.",
@@ -558,22 +493,17 @@ struct Meta<msg::ReadStateVars> {
       {.name = "mcu_temp_max", .spec_name = "MCU_TEMP_MAX",
        .summary = "Highest temperature of the microcontroller.",
        .unit = &UnitMeta<msg::PositiveTemperature>::info},
-      {.name = "shock_cnt", .spec_name = "SHOCK_CNT",
-       .summary = "Numbers of shocks."},
+      {.name = "shock_cnt", .spec_name = "SHOCK_CNT", .summary = "Numbers of shocks."},
       {.name = "energy_time", .spec_name = "ENERGY_TIME",
-       .summary = "Time over which ENERGY is counted.",
-       .unit = &UnitMeta<msg::LongSeconds>::info},
-      {.name = "energy", .spec_name = "ENERGY",
-       .summary = "Energy used.",
+       .summary = "Time over which ENERGY is counted.", .unit = &UnitMeta<msg::LongSeconds>::info},
+      {.name = "energy", .spec_name = "ENERGY", .summary = "Energy used.",
        .unit = &UnitMeta<msg::WattHours>::info},
       {.name = "avg_current_time", .spec_name = "AVG_CURRENT_TIME",
        .summary = "Time over which AVG_CURRENT is averaged.",
        .unit = &UnitMeta<msg::LongSeconds>::info},
-      {.name = "avg_current", .spec_name = "AVG_CURRENT",
-       .summary = "Average current.",
+      {.name = "avg_current", .spec_name = "AVG_CURRENT", .summary = "Average current.",
        .unit = &UnitMeta<msg::AverageCurrent>::info},
-      {.name = "reserved", .spec_name = "RESERVED",
-       .summary = "Reserved; kept as it is.",
+      {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
   template <class T>
@@ -624,10 +554,8 @@ struct Meta<msg::ReadStateVarsRequest> {
       .name = "ReadStateVarsRequest",
       .command = "CMD_READ_STATE_VARS",
       .summary = "Request the statistics of the board's whole life.",
-      .id = 111,
-      .direction = Direction::to_board,
-      .min_size = 0,
-      .max_size = 0,
+      .id = 111, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 0,
       .since = {.firmware = 2687, .board = 36, .features = 0x40000},
       .answers = answers,
       .effects = Effects(Effect::reads)};
@@ -642,14 +570,11 @@ struct Meta<msg::SignMessage> {
       .name = "SignMessage",
       .command = "CMD_SIGN_MESSAGE",
       .summary = "Signature of a message.",
-      .id = 50,
-      .direction = Direction::from_board,
-      .min_size = 32,
-      .max_size = 32,
+      .id = 50, .direction = Direction::from_board,
+      .min_size = 32, .max_size = 32,
       .since = {.firmware = 2500, .board = 30}};
   static constexpr FieldInfo fields[] = {
-      {.name = "signature", .spec_name = "SIGNATURE",
-       .summary = "The signature."},
+      {.name = "signature", .spec_name = "SIGNATURE", .summary = "The signature."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -669,18 +594,14 @@ struct Meta<msg::SignMessageRequest> {
       .name = "SignMessageRequest",
       .command = "CMD_SIGN_MESSAGE",
       .summary = "Sign a message with the keys of the board.",
-      .id = 50,
-      .direction = Direction::to_board,
-      .min_size = 33,
-      .max_size = 33,
+      .id = 50, .direction = Direction::to_board,
+      .min_size = 33, .max_size = 33,
       .since = {.firmware = 2500, .board = 30},
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr FieldInfo fields[] = {
-      {.name = "sign_type", .spec_name = "SIGN_TYPE",
-       .summary = "Set of keys."},
-      {.name = "message", .spec_name = "MESSAGE",
-       .summary = "The message."},
+      {.name = "sign_type", .spec_name = "SIGN_TYPE", .summary = "Set of keys."},
+      {.name = "message", .spec_name = "MESSAGE", .summary = "The message."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -700,16 +621,12 @@ struct Meta<msg::PassProtectRead> {
       .name = "PassProtectRead",
       .command = "CMD_PASS_PROTECT_READ",
       .summary = "What a password protects.",
-      .id = 136,
-      .direction = Direction::from_board,
-      .min_size = 8,
-      .max_size = 8,
+      .id = 136, .direction = Direction::from_board,
+      .min_size = 8, .max_size = 8,
       .since = {.firmware = 2736}};
   static constexpr FieldInfo fields[] = {
-      {.name = "flags", .spec_name = "FLAGS",
-       .summary = "What is protected."},
-      {.name = "reserved", .spec_name = "RESERVED",
-       .summary = "Reserved; kept as it is.",
+      {.name = "flags", .spec_name = "FLAGS", .summary = "What is protected."},
+      {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
   template <class T>
@@ -732,10 +649,8 @@ struct Meta<msg::PassProtectReadRequest> {
       .name = "PassProtectReadRequest",
       .command = "CMD_PASS_PROTECT_READ",
       .summary = "Request what a password protects.",
-      .id = 136,
-      .direction = Direction::to_board,
-      .min_size = 0,
-      .max_size = 0,
+      .id = 136, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 0,
       .since = {.firmware = 2736},
       .answers = answers,
       .effects = Effects(Effect::reads)};
@@ -750,22 +665,17 @@ struct Meta<msg::PassProtectWrite> {
       .name = "PassProtectWrite",
       .command = "CMD_PASS_PROTECT_WRITE",
       .summary = "Choose what a password protects.",
-      .id = 137,
-      .direction = Direction::to_board,
-      .min_size = 9,
-      .max_size = 41,
+      .id = 137, .direction = Direction::to_board,
+      .min_size = 9, .max_size = 41,
       .since = {.firmware = 2736},
       .secret_from = 8,
       .effects = Effects(Effect::stores)};
   static constexpr FieldInfo fields[] = {
-      {.name = "flags", .spec_name = "FLAGS",
-       .summary = "What is protected."},
-      {.name = "reserved", .spec_name = "RESERVED",
-       .summary = "Reserved; kept as it is.",
+      {.name = "flags", .spec_name = "FLAGS", .summary = "What is protected."},
+      {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
       {.name = "new_password", .spec_name = "NEW_PASSWORD",
-       .summary = "The new password; empty keeps the present one.",
-       .secret = true},
+       .summary = "The new password; empty keeps the present one.", .secret = true},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -787,14 +697,11 @@ struct Meta<msg::QueueParamsInfo3> {
       .name = "QueueParamsInfo3",
       .command = "CMD_QUEUE_PARAMS_INFO_3",
       .summary = "Undocumented body from the board.",
-      .id = 30,
-      .direction = Direction::from_board,
-      .min_size = 0,
-      .max_size = 255,
+      .id = 30, .direction = Direction::from_board,
+      .min_size = 0, .max_size = 255,
       .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
-      {.name = "data", .spec_name = "DATA",
-       .summary = "Undocumented content."},
+      {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -812,15 +719,12 @@ struct Meta<msg::QueueParamsInfo3Request> {
       .name = "QueueParamsInfo3Request",
       .command = "CMD_QUEUE_PARAMS_INFO_3",
       .summary = "Undocumented body to the board.",
-      .id = 30,
-      .direction = Direction::to_board,
-      .min_size = 0,
-      .max_size = 255,
+      .id = 30, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 255,
       .since = {.board = 30},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
-      {.name = "data", .spec_name = "DATA",
-       .summary = "Undocumented content."},
+      {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -838,14 +742,11 @@ struct Meta<msg::SystemState> {
       .name = "SystemState",
       .command = "CMD_SYSTEM_STATE",
       .summary = "Undocumented body from the board.",
-      .id = 52,
-      .direction = Direction::from_board,
-      .min_size = 0,
-      .max_size = 255,
+      .id = 52, .direction = Direction::from_board,
+      .min_size = 0, .max_size = 255,
       .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
-      {.name = "data", .spec_name = "DATA",
-       .summary = "Undocumented content."},
+      {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -863,15 +764,12 @@ struct Meta<msg::SystemStateRequest> {
       .name = "SystemStateRequest",
       .command = "CMD_SYSTEM_STATE",
       .summary = "Undocumented body to the board.",
-      .id = 52,
-      .direction = Direction::to_board,
-      .min_size = 0,
-      .max_size = 255,
+      .id = 52, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 255,
       .since = {.board = 30},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
-      {.name = "data", .spec_name = "DATA",
-       .summary = "Undocumented content."},
+      {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -889,14 +787,11 @@ struct Meta<msg::MavlinkInfo> {
       .name = "MavlinkInfo",
       .command = "CMD_MAVLINK_INFO",
       .summary = "Undocumented body from the board.",
-      .id = 250,
-      .direction = Direction::from_board,
-      .min_size = 0,
-      .max_size = 255,
+      .id = 250, .direction = Direction::from_board,
+      .min_size = 0, .max_size = 255,
       .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
-      {.name = "data", .spec_name = "DATA",
-       .summary = "Undocumented content."},
+      {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -914,15 +809,12 @@ struct Meta<msg::MavlinkInfoRequest> {
       .name = "MavlinkInfoRequest",
       .command = "CMD_MAVLINK_INFO",
       .summary = "Undocumented body to the board.",
-      .id = 250,
-      .direction = Direction::to_board,
-      .min_size = 0,
-      .max_size = 255,
+      .id = 250, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 255,
       .since = {.board = 30},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
-      {.name = "data", .spec_name = "DATA",
-       .summary = "Undocumented content."},
+      {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -940,14 +832,11 @@ struct Meta<msg::MavlinkDebug> {
       .name = "MavlinkDebug",
       .command = "CMD_MAVLINK_DEBUG",
       .summary = "Undocumented body from the board.",
-      .id = 251,
-      .direction = Direction::from_board,
-      .min_size = 0,
-      .max_size = 255,
+      .id = 251, .direction = Direction::from_board,
+      .min_size = 0, .max_size = 255,
       .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
-      {.name = "data", .spec_name = "DATA",
-       .summary = "Undocumented content."},
+      {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -965,15 +854,12 @@ struct Meta<msg::MavlinkDebugRequest> {
       .name = "MavlinkDebugRequest",
       .command = "CMD_MAVLINK_DEBUG",
       .summary = "Undocumented body to the board.",
-      .id = 251,
-      .direction = Direction::to_board,
-      .min_size = 0,
-      .max_size = 255,
+      .id = 251, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 255,
       .since = {.board = 30},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
-      {.name = "data", .spec_name = "DATA",
-       .summary = "Undocumented content."},
+      {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -991,15 +877,12 @@ struct Meta<msg::ExtLicenseInfo> {
       .name = "ExtLicenseInfo",
       .command = "CMD_EXT_LICENSE_INFO",
       .summary = "Undocumented body from the board.",
-      .id = 124,
-      .direction = Direction::from_board,
-      .min_size = 0,
-      .max_size = 255,
+      .id = 124, .direction = Direction::from_board,
+      .min_size = 0, .max_size = 255,
       .since = {.firmware = 2600},
       .unconfirmed = true};
   static constexpr FieldInfo fields[] = {
-      {.name = "data", .spec_name = "DATA",
-       .summary = "Undocumented content."},
+      {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -1017,16 +900,13 @@ struct Meta<msg::ExtLicenseInfoRequest> {
       .name = "ExtLicenseInfoRequest",
       .command = "CMD_EXT_LICENSE_INFO",
       .summary = "Undocumented body to the board.",
-      .id = 124,
-      .direction = Direction::to_board,
-      .min_size = 0,
-      .max_size = 255,
+      .id = 124, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 255,
       .since = {.firmware = 2600},
       .unconfirmed = true,
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
-      {.name = "data", .spec_name = "DATA",
-       .summary = "Undocumented content."},
+      {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
   template <class T>
   static constexpr detail::Slot slots[] = {
@@ -1044,10 +924,8 @@ struct Meta<msg::WriteStateVars> : Meta<msg::ReadStateVars> {
       .name = "WriteStateVars",
       .command = "CMD_WRITE_STATE_VARS",
       .summary = "Store the statistics of the board's whole life.",
-      .id = 112,
-      .direction = Direction::to_board,
-      .min_size = 192,
-      .max_size = 192,
+      .id = 112, .direction = Direction::to_board,
+      .min_size = 192, .max_size = 192,
       .since = {.firmware = 2687, .board = 36, .features = 0x40000},
       .effects = Effects(Effect::stores)};
 };

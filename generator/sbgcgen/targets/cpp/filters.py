@@ -33,6 +33,14 @@ def comment(text: str, indent: int = 0, width: int = LINE, mark: str = "/// ") -
     return f"\n{' ' * indent}".join((mark + line).rstrip() for line in lines)
 
 
+def documented(code: str, text: str, indent: int) -> str:
+    """A declaration with its comment: behind it if there is room, else before it."""
+    line = f"{code}  ///< {' '.join(text.split())}"
+    if indent + len(line) <= LINE and "\\" not in text and "??" not in text:
+        return line
+    return f"{comment(text, indent)}\n{' ' * indent}{code}"
+
+
 def c_string(text: str) -> str:
     """Text as a C string literal, in which nothing looks like a trigraph."""
     return _quoted(text).replace("??", "?\\?")
@@ -55,6 +63,16 @@ def statement(text: str, indent: int) -> str:
         break_long_words=False,
         break_on_hyphens=False,
     )
+
+
+def in_lines(items: str, indent: int) -> str:
+    """Items, one on each line, as a list with commas; on as few lines as possible, with this indent."""
+    lines = [""]
+    for item in filter(None, items.splitlines()):
+        if lines[-1] and indent + len(lines[-1]) + len(item) + 2 > LINE:
+            lines.append("")
+        lines[-1] += (", " if lines[-1] else "") + item
+    return (",\n" + " " * indent).join(lines)
 
 
 def narrow_range(field: Field) -> str:
@@ -112,6 +130,8 @@ def later_units(fields: Iterable[Field]) -> list[Field]:
 FILTERS: dict[str, Callable[..., Any]] = {
     "comment": comment,
     "c_string": c_string,
+    "documented": documented,
+    "in_lines": in_lines,
     "statement": statement,
     "narrow_range": narrow_range,
     "unit_name": unit_name,
