@@ -1,5 +1,6 @@
 // A client and the emulated board in virtual time, as a program and as a WebAssembly module:
-// connects, moves the camera, and reads a backup. Prints what passes on the line, and the results.
+// connects, moves the camera, and makes a backup, whose text it reads again. Prints what passes on
+// the line, and the results.
 
 #include <cstdint>
 #include <span>
@@ -46,10 +47,12 @@ class Session {
     client_.start(sbgc::tasks::make_backup("2024-05-01T12:00:00Z"),
                   [this](const sbgc::Result<sbgc::Backup>& backup) {
                     if (!end_step("read", backup)) return;
+                    const std::string text = sbgc::to_json_text(*backup);
+                    log_ += text;
+                    const auto parsed = sbgc::parse_backup(text);
+                    if (!end_step("parsed", parsed)) return;
                     is_over_ = true;
-                    for (const sbgc::Parameters& one : backup->parameters.all()) {
-                      log_ += to_text(one.id) + ": " + sbgc::detail::to_hex(one.body) + '\n';
-                    }
+                    log_ += std::to_string(parsed->parameters.all().size()) + " parameters\n";
                   });
   }
 
