@@ -21,8 +21,7 @@ struct Meta<msg::AdjVarValue> {
        .summary = "The value, extended to 32 bits whatever the type of the variable.",
        .is_variable_value = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, param_id), &detail::value_type<decltype(T::param_id)>},
       {offsetof(T, param_value), &detail::value_type<decltype(T::param_value)>},
   };
@@ -41,8 +40,7 @@ struct Meta<msg::TriggerSlot> {
       {.name = "action", .spec_name = "ACTION{1..5}", .summary = "Action of each signal level.",
        .saved_as = "adj__vars__trigger/action"},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, src_ch), &detail::value_type<decltype(T::src_ch)>},
       {offsetof(T, action), &detail::value_type<decltype(T::action)>},
   };
@@ -63,8 +61,7 @@ struct Meta<msg::AnalogSlot> {
       {.name = "max_val", .spec_name = "MAX_VAL",
        .summary = "End of the working range, as a fraction of the variable's range."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, src_ch), &detail::value_type<decltype(T::src_ch)>},
       {offsetof(T, param_id), &detail::value_type<decltype(T::param_id)>},
       {offsetof(T, min_val), &detail::value_type<decltype(T::min_val)>},
@@ -88,8 +85,7 @@ struct Meta<msg::AdjVarInfo> {
       {.name = "range_max", .spec_name = "RANGE_MAX", .summary = "Its highest value."},
       {.name = "value", .spec_name = "VALUE", .summary = "Its value.", .is_variable_value = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, var_id), &detail::value_type<decltype(T::var_id)>},
       {offsetof(T, name), &detail::value_type<decltype(T::name)>},
       {offsetof(T, range_min), &detail::value_type<decltype(T::range_min)>},
@@ -117,8 +113,7 @@ struct Meta<msg::AdjVarFloat> {
       {.name = "id", .spec_name = "ID", .summary = "The variable (Appendix B)."},
       {.name = "value", .spec_name = "VALUE", .summary = "The value."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, id), &detail::value_type<decltype(T::id)>},
       {offsetof(T, value), &detail::value_type<decltype(T::value)>},
   };
@@ -145,8 +140,7 @@ struct Meta<msg::SetAdjVarsVal> {
        .range = &num_vars_range},
       {.name = "params", .spec_name = "params", .summary = "The variables."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, params), &detail::counter_type<decltype(T::params)>},
       {offsetof(T, params), &detail::value_type<decltype(T::params)>},
   };
@@ -176,8 +170,7 @@ struct Meta<msg::GetAdjVarsVal> {
        .range = &num_vars_range},
       {.name = "param_id", .spec_name = "PARAM_ID", .summary = "The variables (Appendix B)."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, param_id), &detail::counter_type<decltype(T::param_id)>},
       {offsetof(T, param_id), &detail::value_type<decltype(T::param_id)>},
   };
@@ -205,8 +198,7 @@ struct Meta<msg::ReadAdjVarsCfg> {
       {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, trigger_slots), &detail::value_type<decltype(T::trigger_slots)>},
       {offsetof(T, analog_slots), &detail::value_type<decltype(T::analog_slots)>},
       {offsetof(T, reserved), &detail::value_type<decltype(T::reserved)>},
@@ -263,8 +255,7 @@ struct Meta<msg::AdjVarsState> {
       {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, trigger_rc_data), &detail::value_type<decltype(T::trigger_rc_data)>},
       {offsetof(T, trigger_action), &detail::value_type<decltype(T::trigger_action)>},
       {offsetof(T, analog_rc_data), &detail::value_type<decltype(T::analog_rc_data)>},
@@ -311,8 +302,7 @@ struct Meta<msg::AdjVarsStateExt> {
       {.name = "lut_var_value", .spec_name = "LUT_VAR_VALUE",
        .summary = "Value of LUT_VAR_ID, in its own units."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, trigger_rc_data), &detail::value_type<decltype(T::trigger_rc_data)>},
       {offsetof(T, trigger_action), &detail::value_type<decltype(T::trigger_action)>},
       {offsetof(T, analog_src_value), &detail::value_type<decltype(T::analog_src_value)>},
@@ -349,8 +339,7 @@ struct Meta<msg::AdjVarsStateRequest> {
        .summary = "Trigger slot, counted from 0."},
       {.name = "analog_slot", .spec_name = "ANALOG_SLOT", .summary = "Analog slot, counted from 0."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, trigger_slot), &detail::value_type<decltype(T::trigger_slot)>},
       {offsetof(T, analog_slot), &detail::value_type<decltype(T::analog_slot)>},
   };
@@ -384,8 +373,7 @@ struct Meta<msg::AdjVarsStateRequestExt> {
       {.name = "lut_var_id", .spec_name = "LUT_VAR_ID",
        .summary = "Variable of a lookup table to report."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, trigger_slot), &detail::value_type<decltype(T::trigger_slot)>},
       {offsetof(T, analog_src_id), &detail::value_type<decltype(T::analog_src_id)>},
       {offsetof(T, analog_var_id), &detail::value_type<decltype(T::analog_var_id)>},
@@ -416,8 +404,7 @@ struct Meta<msg::AdjVarsInfo> {
        .summary = "Number of variables of the board, of which a message holds a part."},
       {.name = "vars", .spec_name = "vars", .summary = "The variables, from START_ID on."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, total_number), &detail::value_type<decltype(T::total_number)>},
       {offsetof(T, vars), &detail::value_type<decltype(T::vars)>},
   };
@@ -444,8 +431,7 @@ struct Meta<msg::AdjVarsInfoRequest> {
       {.name = "start_id", .spec_name = "START_ID",
        .summary = "First variable to describe; for the next page, the last one that came, plus 1. The last page is empty."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, start_id), &detail::value_type<decltype(T::start_id)>},
   };
 
@@ -488,8 +474,7 @@ struct Meta<msg::SetAdjVarsValF> {
        .summary = "Number of variables that follow.", .range = &num_params_range},
       {.name = "params", .spec_name = "params", .summary = "The variables."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, params), &detail::counter_type<decltype(T::params)>},
       {offsetof(T, params), &detail::value_type<decltype(T::params)>},
   };
@@ -519,8 +504,7 @@ struct Meta<msg::GetAdjVarsValF> {
        .summary = "Number of variables that follow.", .range = &num_params_range},
       {.name = "id", .spec_name = "ID", .summary = "The variables (Appendix B)."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, id), &detail::counter_type<decltype(T::id)>},
       {offsetof(T, id), &detail::value_type<decltype(T::id)>},
   };

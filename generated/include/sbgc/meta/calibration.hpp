@@ -21,8 +21,7 @@ struct Meta<msg::AxisTuning> {
       {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, tracking_error), &detail::value_type<decltype(T::tracking_error)>},
       {offsetof(T, reserved), &detail::value_type<decltype(T::reserved)>},
   };
@@ -49,8 +48,7 @@ struct Meta<msg::AxisTuningConfig> {
       {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, axis_flags), &detail::value_type<decltype(T::axis_flags)>},
       {offsetof(T, gain), &detail::value_type<decltype(T::gain)>},
       {offsetof(T, stimulus_gain), &detail::value_type<decltype(T::stimulus_gain)>},
@@ -93,8 +91,7 @@ struct Meta<msg::AutoPid2Config> {
       {.name = "reserved_2", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, cfg_version), &detail::value_type<decltype(T::cfg_version)>},
       {offsetof(T, axes), &detail::value_type<decltype(T::axes)>},
       {offsetof(T, general_flags), &detail::value_type<decltype(T::general_flags)>},
@@ -137,8 +134,7 @@ struct Meta<msg::CoggingMotor> {
       {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, angle), &detail::value_type<decltype(T::angle)>},
       {offsetof(T, smooth), &detail::value_type<decltype(T::smooth)>},
       {offsetof(T, speed), &detail::value_type<decltype(T::speed)>},
@@ -163,8 +159,7 @@ struct Meta<msg::BodeSample> {
       {.name = "input", .spec_name = "INPUT", .summary = "Input.", .range = &input_range},
       {.name = "output", .spec_name = "OUTPUT", .summary = "Output.", .range = &output_range},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, input), &detail::value_type<decltype(T::input)>},
       {offsetof(T, output), &detail::value_type<decltype(T::output)>},
   };
@@ -209,8 +204,7 @@ struct Meta<msg::CalibAccExt> {
       {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, imu_idx), &detail::value_type<decltype(T::imu_idx)>},
       {offsetof(T, action), &detail::value_type<decltype(T::action)>},
       {offsetof(T, time_ms), &detail::value_type<decltype(T::time_ms)>},
@@ -263,8 +257,7 @@ struct Meta<msg::CalibGyroExt> {
       {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, imu_idx), &detail::value_type<decltype(T::imu_idx)>},
       {offsetof(T, action), &detail::value_type<decltype(T::action)>},
       {offsetof(T, time_ms), &detail::value_type<decltype(T::time_ms)>},
@@ -315,8 +308,7 @@ struct Meta<msg::CalibMagExt> {
       {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, imu_idx), &detail::value_type<decltype(T::imu_idx)>},
       {offsetof(T, action), &detail::value_type<decltype(T::action)>},
       {offsetof(T, time_ms), &detail::value_type<decltype(T::time_ms)>},
@@ -390,8 +382,7 @@ struct Meta<msg::CalibBat> {
       {.name = "actual_voltage", .spec_name = "ACTUAL_VOLTAGE",
        .summary = "Actual voltage, measured externally.", .unit = &UnitMeta<msg::Voltage>::info},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, actual_voltage), &detail::value_type<decltype(T::actual_voltage)>},
   };
 
@@ -462,8 +453,7 @@ struct Meta<msg::CalibInfo> {
       {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, progress), &detail::value_type<decltype(T::progress)>},
       {offsetof(T, imu_type), &detail::value_type<decltype(T::imu_type)>},
       {offsetof(T, acc_data), &detail::value_type<decltype(T::acc_data)>},
@@ -520,8 +510,7 @@ struct Meta<msg::CalibInfoRequest> {
       {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, imu_type), &detail::value_type<decltype(T::imu_type)>},
       {offsetof(T, reserved), &detail::value_type<decltype(T::reserved)>},
   };
@@ -544,8 +533,7 @@ struct Meta<msg::CalibMotorMagLink> {
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, data), &detail::value_type<decltype(T::data)>},
   };
 
@@ -567,8 +555,7 @@ struct Meta<msg::CalibMotorMagLinkRequest> {
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, data), &detail::value_type<decltype(T::data)>},
   };
 
@@ -592,8 +579,7 @@ struct Meta<msg::EncodersCalibOffset4> {
       {.name = "for_motor", .spec_name = "FOR_MOTOR", .summary = "Motor whose encoder to calibrate.",
        .since = {.firmware = 2687}},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, for_motor), &detail::value_type<decltype(T::for_motor)>},
   };
 
@@ -624,8 +610,7 @@ struct Meta<msg::EncodersCalibFldOffset4> {
       {.name = "calib_flags", .spec_name = "CALIB_FLAGS", .summary = "Checks to omit.",
        .since = {.firmware = 2708}},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, calib_angle), &detail::value_type<decltype(T::calib_angle)>},
       {offsetof(T, calib_speed), &detail::value_type<decltype(T::calib_speed)>},
       {offsetof(T, calib_flags), &detail::value_type<decltype(T::calib_flags)>},
@@ -658,8 +643,7 @@ struct Meta<msg::AutoPid> {
       {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, p), &detail::value_type<decltype(T::p)>},
       {offsetof(T, i), &detail::value_type<decltype(T::i)>},
       {offsetof(T, d), &detail::value_type<decltype(T::d)>},
@@ -719,8 +703,7 @@ struct Meta<msg::AutoPidRequest> {
       {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, profile_id), &detail::value_type<decltype(T::profile_id)>},
       {offsetof(T, cfg_flags), &detail::value_type<decltype(T::cfg_flags)>},
       {offsetof(T, gain_vs_stability), &detail::value_type<decltype(T::gain_vs_stability)>},
@@ -756,8 +739,7 @@ struct Meta<msg::AutoPid2> {
        .reserved = true},
       {.name = "config", .spec_name = "config", .summary = "How to tune."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, action), &detail::value_type<decltype(T::action)>},
       {offsetof(T, cmd_flags), &detail::value_type<decltype(T::cmd_flags)>},
       {offsetof(T, reserved), &detail::value_type<decltype(T::reserved)>},
@@ -787,8 +769,7 @@ struct Meta<msg::CalibOrientCorr> {
       {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, reserved), &detail::value_type<decltype(T::reserved)>},
   };
 
@@ -818,8 +799,7 @@ struct Meta<msg::CalibCogging> {
       {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, action), &detail::value_type<decltype(T::action)>},
       {offsetof(T, axes), &detail::value_type<decltype(T::axes)>},
       {offsetof(T, motors), &detail::value_type<decltype(T::motors)>},
@@ -868,8 +848,7 @@ struct Meta<msg::CalibAccExtRef> {
       {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, acc_ref), &detail::value_type<decltype(T::acc_ref)>},
       {offsetof(T, reserved), &detail::value_type<decltype(T::reserved)>},
   };
@@ -901,8 +880,7 @@ struct Meta<msg::BodeTestStartStop> {
       {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, samples_count), &detail::value_type<decltype(T::samples_count)>},
       {offsetof(T, error_code), &detail::value_type<decltype(T::error_code)>},
       {offsetof(T, mode), &detail::value_type<decltype(T::mode)>},
@@ -948,8 +926,7 @@ struct Meta<msg::BodeTestStartStopRequest> {
       {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, axis), &detail::value_type<decltype(T::axis)>},
       {offsetof(T, stimulus_type), &detail::value_type<decltype(T::stimulus_type)>},
       {offsetof(T, stimulus_gain), &detail::value_type<decltype(T::stimulus_gain)>},
@@ -997,8 +974,7 @@ struct Meta<msg::BodeTestData> {
       {.name = "output_max", .spec_name = "OUTPUT_MAX", .summary = "Output of raw value 65534."},
       {.name = "samples", .spec_name = "samples", .summary = "The samples.", .max_count = 20},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, sample_counter), &detail::value_type<decltype(T::sample_counter)>},
       {offsetof(T, input_min), &detail::value_type<decltype(T::input_min)>},
       {offsetof(T, output_min), &detail::value_type<decltype(T::output_min)>},
@@ -1029,8 +1005,7 @@ struct Meta<msg::CoggingCalibInfo> {
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, data), &detail::value_type<decltype(T::data)>},
   };
 
@@ -1052,8 +1027,7 @@ struct Meta<msg::CoggingCalibInfoRequest> {
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, data), &detail::value_type<decltype(T::data)>},
   };
 
@@ -1074,8 +1048,7 @@ struct Meta<msg::CanDrvHardParams> {
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, data), &detail::value_type<decltype(T::data)>},
   };
 
@@ -1097,8 +1070,7 @@ struct Meta<msg::CanDrvHardParamsRequest> {
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, data), &detail::value_type<decltype(T::data)>},
   };
 
@@ -1119,8 +1091,7 @@ struct Meta<msg::CanDrvCalibrate> {
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, data), &detail::value_type<decltype(T::data)>},
   };
 
@@ -1142,8 +1113,7 @@ struct Meta<msg::CanDrvCalibrateRequest> {
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, data), &detail::value_type<decltype(T::data)>},
   };
 
@@ -1164,8 +1134,7 @@ struct Meta<msg::CalibEncoderLut> {
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, data), &detail::value_type<decltype(T::data)>},
   };
 
@@ -1187,8 +1156,7 @@ struct Meta<msg::CalibEncoderLutRequest> {
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, data), &detail::value_type<decltype(T::data)>},
   };
 
@@ -1209,8 +1177,7 @@ struct Meta<msg::CalibEncoderLutRes> {
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, data), &detail::value_type<decltype(T::data)>},
   };
 
@@ -1232,8 +1199,7 @@ struct Meta<msg::CalibEncoderLutResRequest> {
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, data), &detail::value_type<decltype(T::data)>},
   };
 
@@ -1254,8 +1220,7 @@ struct Meta<msg::CalibCurSens> {
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, data), &detail::value_type<decltype(T::data)>},
   };
 
@@ -1277,8 +1242,7 @@ struct Meta<msg::CalibCurSensRequest> {
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, data), &detail::value_type<decltype(T::data)>},
   };
 
@@ -1300,8 +1264,7 @@ struct Meta<msg::EncIntCalib> {
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, data), &detail::value_type<decltype(T::data)>},
   };
 
@@ -1324,8 +1287,7 @@ struct Meta<msg::EncIntCalibRequest> {
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, data), &detail::value_type<decltype(T::data)>},
   };
 
@@ -1347,8 +1309,7 @@ struct Meta<msg::VibrationTestStartStop> {
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, data), &detail::value_type<decltype(T::data)>},
   };
 
@@ -1371,8 +1332,7 @@ struct Meta<msg::VibrationTestStartStopRequest> {
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, data), &detail::value_type<decltype(T::data)>},
   };
 
@@ -1394,8 +1354,7 @@ struct Meta<msg::VibrationTestData> {
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, data), &detail::value_type<decltype(T::data)>},
   };
 
@@ -1418,8 +1377,7 @@ struct Meta<msg::VibrationTestDataRequest> {
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, data), &detail::value_type<decltype(T::data)>},
   };
 

@@ -26,8 +26,7 @@ struct Meta<msg::ControlAxis> {
        .summary = "Target angle; in MODE_RC the RC signal, -500 to 500, in MODE_RC_HIGH_RES -16384 to 16384.",
        .unit = &UnitMeta<msg::Angle14>::info, .range = &angle_range, .directed = Directed::by_axis},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, speed), &detail::value_type<decltype(T::speed)>},
       {offsetof(T, angle), &detail::value_type<decltype(T::angle)>},
   };
@@ -57,8 +56,7 @@ struct Meta<msg::ControlExtAxis> {
       {.name = "angle_32", .spec_name = "{AXIS}_ANGLE_32", .summary = "Target angle, with 32 bits.",
        .unit = &UnitMeta<msg::Angle20>::info, .directed = Directed::by_axis, .unconfirmed = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, mode), &detail::value_type<decltype(T::mode)>},
       {offsetof(T, flags), &detail::value_type<decltype(T::flags)>},
       {offsetof(T, speed), &detail::value_type<decltype(T::speed)>},
@@ -109,8 +107,7 @@ struct Meta<msg::ControlConfigAxis> {
       {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, angle_lpf), &detail::value_type<decltype(T::angle_lpf)>},
       {offsetof(T, speed_lpf), &detail::value_type<decltype(T::speed_lpf)>},
       {offsetof(T, rc_lpf), &detail::value_type<decltype(T::rc_lpf)>},
@@ -146,8 +143,7 @@ struct Meta<msg::AxisState> {
        .summary = "Target speed; 0 once the target is reached.",
        .unit = &UnitMeta<msg::ControlSpeed>::info, .directed = Directed::by_axis},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, imu_angle), &detail::value_type<decltype(T::imu_angle)>},
       {offsetof(T, rc_target_angle), &detail::value_type<decltype(T::rc_target_angle)>},
       {offsetof(T, rc_speed), &detail::value_type<decltype(T::rc_speed)>},
@@ -178,8 +174,7 @@ struct Meta<msg::AxisStateExt> {
       {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, imu_angle), &detail::value_type<decltype(T::imu_angle)>},
       {offsetof(T, rc_target_angle), &detail::value_type<decltype(T::rc_target_angle)>},
       {offsetof(T, stator_rotor_angle), &detail::value_type<decltype(T::stator_rotor_angle)>},
@@ -207,8 +202,7 @@ struct Meta<msg::Control> {
       {.name = "control_mode", .spec_name = "CONTROL_MODE", .summary = "Mode of all three axes."},
       {.name = "axes", .spec_name = "axes", .summary = "Target of each axis."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, control_mode), &detail::value_type<decltype(T::control_mode)>},
       {offsetof(T, axes), &detail::value_type<decltype(T::axes)>},
   };
@@ -233,8 +227,7 @@ struct Meta<msg::ControlExt> {
       {.name = "control_mode", .spec_name = "CONTROL_MODE_{AXIS}", .summary = "Mode of each axis."},
       {.name = "axes", .spec_name = "axes", .summary = "Target of each axis."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, control_mode), &detail::value_type<decltype(T::control_mode)>},
       {offsetof(T, axes), &detail::value_type<decltype(T::axes)>},
   };
@@ -260,8 +253,7 @@ struct Meta<msg::ControlExtCommand> {
        .summary = "Which of the following fields are present."},
       {.name = "axes", .spec_name = "axes", .summary = "Motion of each axis."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, data_set), &detail::value_type<decltype(T::data_set)>},
       {offsetof(T, axes), &detail::value_type<decltype(T::axes)>},
   };
@@ -313,8 +305,7 @@ struct Meta<msg::ControlConfig> {
       {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, timeout_ms), &detail::value_type<decltype(T::timeout_ms)>},
       {offsetof(T, ch_priority), &detail::value_type<decltype(T::ch_priority)>},
       {offsetof(T, this_ch_priority), &detail::value_type<decltype(T::this_ch_priority)>},
@@ -352,8 +343,7 @@ struct Meta<msg::ControlQuatDisabled> {
       {.name = "mode", .spec_name = "MODE", .summary = "Always DISABLED.", .range = &mode_range},
       {.name = "flags", .spec_name = "FLAGS", .summary = "Options."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, mode), &detail::value_type<decltype(T::mode)>},
       {offsetof(T, flags), &detail::value_type<decltype(T::flags)>},
   };
@@ -381,8 +371,7 @@ struct Meta<msg::ControlQuatSpeed> {
        .summary = "Rotation vector of the motion.", .unit = &UnitMeta<msg::RadianRate>::info,
        .directed = Directed::by_axis},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, mode), &detail::value_type<decltype(T::mode)>},
       {offsetof(T, flags), &detail::value_type<decltype(T::flags)>},
       {offsetof(T, target_speed), &detail::value_type<decltype(T::target_speed)>},
@@ -413,8 +402,7 @@ struct Meta<msg::ControlQuatAttitude> {
       {.name = "target_attitude", .spec_name = "TARGET_ATTITUDE",
        .summary = "Quaternion of length 1: W, X, Y, Z.", .range = &target_attitude_range},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, mode), &detail::value_type<decltype(T::mode)>},
       {offsetof(T, flags), &detail::value_type<decltype(T::flags)>},
       {offsetof(T, target_attitude), &detail::value_type<decltype(T::target_attitude)>},
@@ -443,8 +431,7 @@ struct Meta<msg::ControlQuatAttitudePacked> {
       {.name = "flags", .spec_name = "FLAGS", .summary = "Options, with ATTITUDE_PACKED."},
       {.name = "target_attitude", .spec_name = "TARGET_ATTITUDE", .summary = "The attitude."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, mode), &detail::value_type<decltype(T::mode)>},
       {offsetof(T, flags), &detail::value_type<decltype(T::flags)>},
       {offsetof(T, target_attitude), &detail::value_type<decltype(T::target_attitude)>},
@@ -479,8 +466,7 @@ struct Meta<msg::ControlQuatSpeedAttitude> {
        .summary = "Rotation vector of the motion.", .unit = &UnitMeta<msg::RadianRate>::info,
        .directed = Directed::by_axis},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, mode), &detail::value_type<decltype(T::mode)>},
       {offsetof(T, flags), &detail::value_type<decltype(T::flags)>},
       {offsetof(T, target_attitude), &detail::value_type<decltype(T::target_attitude)>},
@@ -515,8 +501,7 @@ struct Meta<msg::ControlQuatSpeedAttitudePacked> {
        .summary = "Rotation vector of the motion.", .unit = &UnitMeta<msg::RadianRate>::info,
        .directed = Directed::by_axis},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, mode), &detail::value_type<decltype(T::mode)>},
       {offsetof(T, flags), &detail::value_type<decltype(T::flags)>},
       {offsetof(T, target_attitude), &detail::value_type<decltype(T::target_attitude)>},
@@ -571,8 +556,7 @@ struct Meta<msg::ControlQuatStatus> {
       {.name = "actual_attitude_packed", .spec_name = "ACTUAL_ATTITUDE_PACKED",
        .summary = "Measured attitude."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, data_set), &detail::value_type<decltype(T::data_set)>},
       {offsetof(T, data_set_high), &detail::value_type<decltype(T::data_set_high)>},
       {offsetof(T, mode), &detail::value_type<decltype(T::mode)>},
@@ -624,8 +608,7 @@ struct Meta<msg::ControlQuatStatusRequest> {
       {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, data_set), &detail::value_type<decltype(T::data_set)>},
       {offsetof(T, reserved), &detail::value_type<decltype(T::reserved)>},
   };
@@ -682,8 +665,7 @@ struct Meta<msg::ControlQuatConfig> {
        .summary = "Low-pass filter of the speed.", .unit = &UnitMeta<msg::SmallFrequency>::info,
        .range = &speed_lpf_freq_range, .special = speed_lpf_freq_special},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, data_set), &detail::value_type<decltype(T::data_set)>},
       {offsetof(T, max_speed), &detail::value_type<decltype(T::max_speed)>},
       {offsetof(T, acc_limit), &detail::value_type<decltype(T::acc_limit)>},
@@ -715,8 +697,7 @@ struct Meta<msg::GetAngles> {
   static constexpr FieldInfo fields[] = {
       {.name = "axes", .spec_name = "axes", .summary = "State of each axis."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, axes), &detail::value_type<decltype(T::axes)>},
   };
 
@@ -754,8 +735,7 @@ struct Meta<msg::GetAnglesExt> {
   static constexpr FieldInfo fields[] = {
       {.name = "axes", .spec_name = "axes", .summary = "State of each axis."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, axes), &detail::value_type<decltype(T::axes)>},
   };
 
@@ -823,8 +803,7 @@ struct Meta<msg::MotorsOffExt> {
   static constexpr FieldInfo fields[] = {
       {.name = "mode", .spec_name = "MODE", .summary = "How to turn them off."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, mode), &detail::value_type<decltype(T::mode)>},
   };
 
@@ -855,8 +834,7 @@ struct Meta<msg::SyncMotors> {
        .unit = &UnitMeta<msg::Milliseconds>::info},
       {.name = "angle", .spec_name = "ANGLE", .summary = "Angle to turn.", .special = angle_special},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, axis), &detail::value_type<decltype(T::axis)>},
       {offsetof(T, power), &detail::value_type<decltype(T::power)>},
       {offsetof(T, time_ms), &detail::value_type<decltype(T::time_ms)>},
@@ -885,8 +863,7 @@ struct Meta<msg::Event> {
       {.name = "event_type", .spec_name = "EVENT_TYPE", .summary = "Kind of the event."},
       {.name = "param", .spec_name = "PARAM", .summary = "Data that depend on the event."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, event_id), &detail::value_type<decltype(T::event_id)>},
       {offsetof(T, event_type), &detail::value_type<decltype(T::event_type)>},
       {offsetof(T, param), &detail::value_type<decltype(T::param)>},
@@ -912,8 +889,7 @@ struct Meta<msg::ExecuteMenu> {
   static constexpr FieldInfo fields[] = {
       {.name = "cmd_id", .spec_name = "CMD_ID", .summary = "Which action."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, cmd_id), &detail::value_type<decltype(T::cmd_id)>},
   };
 
@@ -936,8 +912,7 @@ struct Meta<msg::ExecuteMenuExt> {
       {.name = "cmd_id", .spec_name = "CMD_ID", .summary = "Which action."},
       {.name = "param", .spec_name = "FLAGS", .summary = "When the board confirms the action."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, cmd_id), &detail::value_type<decltype(T::cmd_id)>},
       {offsetof(T, param), &detail::value_type<decltype(T::param)>},
   };
@@ -978,8 +953,7 @@ struct Meta<msg::HelperData> {
        .range = &frame_angle_pitch_range, .special = frame_angle_pitch_special,
        .directed = Directed::unknown},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, frame_acc), &detail::value_type<decltype(T::frame_acc)>},
       {offsetof(T, frame_angle_roll), &detail::value_type<decltype(T::frame_angle_roll)>},
       {offsetof(T, frame_angle_pitch), &detail::value_type<decltype(T::frame_angle_pitch)>},
@@ -1042,8 +1016,7 @@ struct Meta<msg::HelperDataExt> {
       {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, frame_acc), &detail::value_type<decltype(T::frame_acc)>},
       {offsetof(T, frame_angle_roll), &detail::value_type<decltype(T::frame_angle_roll)>},
       {offsetof(T, frame_angle_pitch), &detail::value_type<decltype(T::frame_angle_pitch)>},

@@ -26,8 +26,7 @@ struct Meta<msg::DebugVarInfo> {
        .summary = "Number of elements; no board is known to send arrays.",
        .special = arr_size_special},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, var_name), &detail::value_type<decltype(T::var_name)>},
       {offsetof(T, var_type), &detail::value_type<decltype(T::var_type)>},
       {offsetof(T, arr_size), &detail::value_type<decltype(T::arr_size)>},
@@ -55,8 +54,7 @@ struct Meta<msg::DebugVarsInfo3> {
        .summary = "Number of variables that follow.", .range = &debug_vars_num_range},
       {.name = "vars", .spec_name = "vars", .summary = "The variables."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, vars), &detail::counter_type<decltype(T::vars)>},
       {offsetof(T, vars), &detail::value_type<decltype(T::vars)>},
   };
@@ -85,8 +83,7 @@ struct Meta<msg::DebugVarsInfo3Request> {
        .summary = "First variable to describe, if there are several pages; the last one is empty.",
        .since = {.firmware = 2720}},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, start_idx), &detail::value_type<decltype(T::start_idx)>},
   };
 
@@ -108,8 +105,7 @@ struct Meta<msg::DebugVars3> {
       {.name = "var_value", .spec_name = "VAR_VALUE",
        .summary = "The values in sequence, each with the type and the number of elements announced by CMD_DEBUG_VARS_INFO_3. The set of variables depends on the firmware."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, var_value), &detail::value_type<decltype(T::var_value)>},
   };
 
@@ -151,8 +147,7 @@ struct Meta<msg::DebugVars3RequestSelected> {
        .summary = "Bits of the selected variables, starting with the first variable.",
        .min_count = 1, .max_count = 8},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, selected_mask), &detail::value_type<decltype(T::selected_mask)>},
   };
 
@@ -178,8 +173,7 @@ struct Meta<msg::SetDebugPort> {
       {.name = "cmd_id", .spec_name = "CMD_ID", .summary = "Command of the message."},
       {.name = "payload", .spec_name = "PAYLOAD", .summary = "Body of the message."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, time_ms), &detail::value_type<decltype(T::time_ms)>},
       {offsetof(T, port_and_dir), &detail::value_type<decltype(T::port_and_dir)>},
       {offsetof(T, cmd_id), &detail::value_type<decltype(T::cmd_id)>},
@@ -211,8 +205,7 @@ struct Meta<msg::SetDebugPortRequest> {
       {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, action), &detail::value_type<decltype(T::action)>},
       {offsetof(T, cmd_filter), &detail::value_type<decltype(T::cmd_filter)>},
       {offsetof(T, reserved), &detail::value_type<decltype(T::reserved)>},

@@ -19,8 +19,7 @@ struct Meta<msg::ExtMotorTarget16> {
       {.name = "setpoint", .spec_name = "SETPOINT", .summary = "Target."},
       {.name = "param1", .spec_name = "PARAM1", .summary = "Angle or speed limit."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, setpoint), &detail::value_type<decltype(T::setpoint)>},
       {offsetof(T, param1), &detail::value_type<decltype(T::param1)>},
   };
@@ -37,8 +36,7 @@ struct Meta<msg::ExtMotorTarget16Param32> {
       {.name = "setpoint", .spec_name = "SETPOINT", .summary = "Target."},
       {.name = "param1", .spec_name = "PARAM1", .summary = "Angle or speed limit."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, setpoint), &detail::value_type<decltype(T::setpoint)>},
       {offsetof(T, param1), &detail::value_type<decltype(T::param1)>},
   };
@@ -55,8 +53,7 @@ struct Meta<msg::ExtMotorTarget32Param16> {
       {.name = "setpoint", .spec_name = "SETPOINT", .summary = "Target."},
       {.name = "param1", .spec_name = "PARAM1", .summary = "Angle or speed limit."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, setpoint), &detail::value_type<decltype(T::setpoint)>},
       {offsetof(T, param1), &detail::value_type<decltype(T::param1)>},
   };
@@ -73,8 +70,7 @@ struct Meta<msg::ExtMotorTarget32> {
       {.name = "setpoint", .spec_name = "SETPOINT", .summary = "Target."},
       {.name = "param1", .spec_name = "PARAM1", .summary = "Angle or speed limit."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, setpoint), &detail::value_type<decltype(T::setpoint)>},
       {offsetof(T, param1), &detail::value_type<decltype(T::param1)>},
   };
@@ -102,8 +98,7 @@ struct Meta<msg::ExtMotorsAction> {
       {.name = "args", .spec_name = "ARGS", .summary = "Arguments of later actions; send it empty.",
        .reserved = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, for_motors), &detail::value_type<decltype(T::for_motors)>},
       {offsetof(T, action), &detail::value_type<decltype(T::action)>},
       {offsetof(T, args), &detail::value_type<decltype(T::args)>},
@@ -140,8 +135,7 @@ struct Meta<msg::ExtMotorsControl> {
       {.name = "setpoint32_param32", .spec_name = "setpoint32_param32",
        .summary = "Targets of 32 bits, parameters of 32 bits."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, for_motors), &detail::value_type<decltype(T::for_motors)>},
       {offsetof(T, data_set), &detail::value_type<decltype(T::data_set)>},
       {offsetof(T, setpoint16), &detail::value_type<decltype(T::setpoint16)>},
@@ -191,8 +185,7 @@ struct Meta<msg::ExtMotorsControlConfig> {
       {.name = "max_torque", .spec_name = "MAX_TORQUE",
        .summary = "Torque limit in all modes; 65535 is all that the driver can provide."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, for_motors), &detail::value_type<decltype(T::for_motors)>},
       {offsetof(T, data_set), &detail::value_type<decltype(T::data_set)>},
       {offsetof(T, mode), &detail::value_type<decltype(T::mode)>},
@@ -266,8 +259,7 @@ struct Meta<msg::ExtMotorsState> {
       {.name = "driver_temperature", .spec_name = "DRIVER_TEMPERATURE",
        .summary = "Temperature of the driver.", .unit = &UnitMeta<msg::Temperature>::info},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, motor_id), &detail::value_type<decltype(T::motor_id)>},
       {offsetof(T, data_set), &detail::value_type<decltype(T::data_set)>},
       {offsetof(T, control_mode), &detail::value_type<decltype(T::control_mode)>},
@@ -335,8 +327,7 @@ struct Meta<msg::ExtMotorsStateRequest> {
       {.name = "for_motors", .spec_name = "FOR_MOTORS", .summary = "The motors."},
       {.name = "data_set", .spec_name = "DATA_SET", .summary = "Data to send."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, for_motors), &detail::value_type<decltype(T::for_motors)>},
       {offsetof(T, data_set), &detail::value_type<decltype(T::data_set)>},
   };

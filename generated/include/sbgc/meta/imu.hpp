@@ -47,8 +47,7 @@ struct Meta<msg::AhrsDebugInfo> {
       {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, main_imu_ref_src), &detail::value_type<decltype(T::main_imu_ref_src)>},
       {offsetof(T, frame_imu_ref_src), &detail::value_type<decltype(T::frame_imu_ref_src)>},
       {offsetof(T, main_z_err), &detail::value_type<decltype(T::main_z_err)>},
@@ -92,8 +91,7 @@ struct Meta<msg::SelectImu3> {
   static constexpr FieldInfo fields[] = {
       {.name = "imu_type", .spec_name = "IMU_TYPE", .summary = "The IMU."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, imu_type), &detail::value_type<decltype(T::imu_type)>},
   };
 
@@ -119,8 +117,7 @@ struct Meta<msg::SelectImu3Ext> {
       {.name = "params", .spec_name = "PARAMS", .summary = "Further undocumented parameters.",
        .max_count = 8},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, imu_type), &detail::value_type<decltype(T::imu_type)>},
       {offsetof(T, param), &detail::value_type<decltype(T::param)>},
       {offsetof(T, params), &detail::value_type<decltype(T::params)>},
@@ -152,8 +149,7 @@ struct Meta<msg::SelectImu3CalibrateShort> {
       {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, imu_type), &detail::value_type<decltype(T::imu_type)>},
       {offsetof(T, action), &detail::value_type<decltype(T::action)>},
       {offsetof(T, time_ms), &detail::value_type<decltype(T::time_ms)>},
@@ -186,8 +182,7 @@ struct Meta<msg::SelectImu3Calibrate> {
       {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, imu_type), &detail::value_type<decltype(T::imu_type)>},
       {offsetof(T, action), &detail::value_type<decltype(T::action)>},
       {offsetof(T, time_ms), &detail::value_type<decltype(T::time_ms)>},
@@ -221,8 +216,7 @@ struct Meta<msg::AhrsHelper> {
        .summary = "Unit vector that points north (the Y axis in the normal position).",
        .range = &h1_vector_range},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, z1_vector), &detail::value_type<decltype(T::z1_vector)>},
       {offsetof(T, h1_vector), &detail::value_type<decltype(T::h1_vector)>},
   };
@@ -251,8 +245,7 @@ struct Meta<msg::AhrsHelperRequest> {
   static constexpr FieldInfo fields[] = {
       {.name = "mode", .spec_name = "MODE", .summary = "The IMU to query; without SET."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, mode), &detail::value_type<decltype(T::mode)>},
   };
 
@@ -276,8 +269,7 @@ struct Meta<msg::AhrsHelperRequestWide> {
   static constexpr FieldInfo fields[] = {
       {.name = "mode", .spec_name = "MODE", .summary = "The IMU to query; without SET."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, mode), &detail::value_type<decltype(T::mode)>},
   };
 
@@ -311,8 +303,7 @@ struct Meta<msg::AhrsHelperRequestExt> {
        .summary = "Unit vector that points north (the Y axis in the normal position); unused in a query.",
        .range = &h1_vector_range},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, mode), &detail::value_type<decltype(T::mode)>},
       {offsetof(T, z1_vector), &detail::value_type<decltype(T::z1_vector)>},
       {offsetof(T, h1_vector), &detail::value_type<decltype(T::h1_vector)>},
@@ -348,8 +339,7 @@ struct Meta<msg::AhrsHelperRequestExtWide> {
        .summary = "Unit vector that points north (the Y axis in the normal position); unused in a query.",
        .range = &h1_vector_range},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, mode), &detail::value_type<decltype(T::mode)>},
       {offsetof(T, z1_vector), &detail::value_type<decltype(T::z1_vector)>},
       {offsetof(T, h1_vector), &detail::value_type<decltype(T::h1_vector)>},
@@ -381,8 +371,7 @@ struct Meta<msg::GyroCorrection> {
        .summary = "Offset of the rotation about the vertical, to correct the heading; the board distributes it over the axes.",
        .unit = &UnitMeta<msg::GyroOffset>::info, .directed = Directed::by_axis},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, imu_type), &detail::value_type<decltype(T::imu_type)>},
       {offsetof(T, gyro_zero_corr), &detail::value_type<decltype(T::gyro_zero_corr)>},
       {offsetof(T, gyro_zero_heading_corr), &detail::value_type<decltype(T::gyro_zero_heading_corr)>},
@@ -410,8 +399,7 @@ struct Meta<msg::ExtImuDebugInfo> {
       {.name = "dcm", .spec_name = "DCM", .summary = "Attitude as a rotation matrix, row by row."},
       {.name = "acc_body", .spec_name = "ACC_BODY", .summary = "Acceleration of the sensor."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, ahrs_debug_info), &detail::value_type<decltype(T::ahrs_debug_info)>},
       {offsetof(T, dcm), &detail::value_type<decltype(T::dcm)>},
       {offsetof(T, acc_body), &detail::value_type<decltype(T::acc_body)>},
@@ -456,8 +444,7 @@ struct Meta<msg::ExtImuCmd> {
       {.name = "cmd_id", .spec_name = "CMD_ID", .summary = "Command of the external IMU."},
       {.name = "data", .spec_name = "DATA", .summary = "Body of the command."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, cmd_id), &detail::value_type<decltype(T::cmd_id)>},
       {offsetof(T, data), &detail::value_type<decltype(T::data)>},
   };
@@ -482,8 +469,7 @@ struct Meta<msg::ExtSensCmd> {
       {.name = "cmd_id", .spec_name = "CMD_ID", .summary = "Command of the sensor."},
       {.name = "data", .spec_name = "DATA", .summary = "Body of the command."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, cmd_id), &detail::value_type<decltype(T::cmd_id)>},
       {offsetof(T, data), &detail::value_type<decltype(T::data)>},
   };
@@ -509,8 +495,7 @@ struct Meta<msg::ExtSensCmdRequest> {
       {.name = "cmd_id", .spec_name = "CMD_ID", .summary = "Command of the sensor."},
       {.name = "data", .spec_name = "DATA", .summary = "Body of the command."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, flags), &detail::value_type<decltype(T::flags)>},
       {offsetof(T, cmd_id), &detail::value_type<decltype(T::cmd_id)>},
       {offsetof(T, data), &detail::value_type<decltype(T::data)>},
@@ -535,8 +520,7 @@ struct Meta<msg::ImuAdvancedCalib> {
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, data), &detail::value_type<decltype(T::data)>},
   };
 
@@ -558,8 +542,7 @@ struct Meta<msg::ImuAdvancedCalibRequest> {
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, data), &detail::value_type<decltype(T::data)>},
   };
 

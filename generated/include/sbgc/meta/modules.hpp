@@ -24,8 +24,7 @@ struct Meta<msg::ModuleInfo> {
       {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, id), &detail::value_type<decltype(T::id)>},
       {offsetof(T, board_ver), &detail::value_type<decltype(T::board_ver)>},
       {offsetof(T, bootloader_ver), &detail::value_type<decltype(T::bootloader_ver)>},
@@ -49,8 +48,7 @@ struct Meta<msg::CanDevice> {
       {.name = "id", .spec_name = "ID", .summary = "Id assigned to the device."},
       {.name = "type", .spec_name = "TYPE", .summary = "Kind of the device."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, uid), &detail::value_type<decltype(T::uid)>},
       {offsetof(T, id), &detail::value_type<decltype(T::id)>},
       {offsetof(T, type), &detail::value_type<decltype(T::type)>},
@@ -78,8 +76,7 @@ struct Meta<msg::ModuleList> {
        .range = &device_num_range},
       {.name = "modules", .spec_name = "modules", .summary = "The modules."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, modules), &detail::counter_type<decltype(T::modules)>},
       {offsetof(T, modules), &detail::value_type<decltype(T::modules)>},
   };
@@ -120,8 +117,7 @@ struct Meta<msg::CanDeviceScan> {
   static constexpr FieldInfo fields[] = {
       {.name = "devices", .spec_name = "devices", .summary = "The devices.", .max_count = 18},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, devices), &detail::value_type<decltype(T::devices)>},
   };
 
@@ -161,8 +157,7 @@ struct Meta<msg::TransparentSapi> {
        .unconfirmed = true},
       {.name = "payload", .spec_name = "PAYLOAD", .summary = "The data."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, target), &detail::value_type<decltype(T::target)>},
       {offsetof(T, payload), &detail::value_type<decltype(T::payload)>},
   };
@@ -188,8 +183,7 @@ struct Meta<msg::TransparentSapiRequest> {
        .unconfirmed = true},
       {.name = "payload", .spec_name = "PAYLOAD", .summary = "The data."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, target), &detail::value_type<decltype(T::target)>},
       {offsetof(T, payload), &detail::value_type<decltype(T::payload)>},
   };
@@ -216,8 +210,7 @@ struct Meta<msg::ModuleFlashStart> {
       {.name = "firmware_size", .spec_name = "FIRMWARE_SIZE", .summary = "Size of the file.",
        .unit = &UnitMeta<msg::WordCount>::info, .range = &firmware_size_range},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, device_id), &detail::value_type<decltype(T::device_id)>},
       {offsetof(T, firmware_size), &detail::value_type<decltype(T::firmware_size)>},
   };
@@ -249,8 +242,7 @@ struct Meta<msg::ModuleFlashWrite> {
       {.name = "data", .spec_name = "DATA", .summary = "The part.", .min_count = 4, .max_count = 128,
        .align = 4},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, device_id), &detail::value_type<decltype(T::device_id)>},
       {offsetof(T, packet_id), &detail::value_type<decltype(T::packet_id)>},
       {offsetof(T, address), &detail::value_type<decltype(T::address)>},
@@ -282,8 +274,7 @@ struct Meta<msg::ModuleFlashFinish> {
       {.name = "file_crc32", .spec_name = "FILE_CRC32",
        .summary = "CRC-32/ISO-HDLC of the whole file."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, device_id), &detail::value_type<decltype(T::device_id)>},
       {offsetof(T, file_crc32), &detail::value_type<decltype(T::file_crc32)>},
   };
@@ -332,8 +323,7 @@ struct Meta<msg::SetTranspProxy> {
        .special = port1_special},
       {.name = "port2", .spec_name = "PORT2", .summary = "Another port.", .special = port2_special},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, port1), &detail::value_type<decltype(T::port1)>},
       {offsetof(T, port2), &detail::value_type<decltype(T::port2)>},
   };
@@ -357,8 +347,7 @@ struct Meta<msg::UartBypass> {
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, data), &detail::value_type<decltype(T::data)>},
   };
 
@@ -381,8 +370,7 @@ struct Meta<msg::UartBypassRequest> {
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, data), &detail::value_type<decltype(T::data)>},
   };
 
@@ -403,8 +391,7 @@ struct Meta<msg::SetDeviceAddr> {
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, data), &detail::value_type<decltype(T::data)>},
   };
 
@@ -426,8 +413,7 @@ struct Meta<msg::SetDeviceAddrRequest> {
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, data), &detail::value_type<decltype(T::data)>},
   };
 
@@ -448,8 +434,7 @@ struct Meta<msg::SerialProxy> {
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, data), &detail::value_type<decltype(T::data)>},
   };
 
@@ -471,8 +456,7 @@ struct Meta<msg::SerialProxyRequest> {
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, data), &detail::value_type<decltype(T::data)>},
   };
 

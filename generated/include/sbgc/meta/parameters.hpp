@@ -56,8 +56,7 @@ struct Meta<msg::AxisPid> {
       {.name = "poles", .spec_name = "POLES", .summary = "Number of motor poles.",
        .range = &poles_range},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, p), &detail::value_type<decltype(T::p)>},
       {offsetof(T, i), &detail::value_type<decltype(T::i)>},
       {offsetof(T, d), &detail::value_type<decltype(T::d)>},
@@ -100,8 +99,7 @@ struct Meta<msg::AxisRc> {
        .summary = "Roll and pitch: how much to follow the flight controller. Yaw: any value but 0 follows the motor.",
        .range = &rc_follow_range},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, rc_min_angle), &detail::value_type<decltype(T::rc_min_angle)>},
       {offsetof(T, rc_max_angle), &detail::value_type<decltype(T::rc_max_angle)>},
       {offsetof(T, rc_mode), &detail::value_type<decltype(T::rc_mode)>},
@@ -139,8 +137,7 @@ struct Meta<msg::AxisNotches> {
        .unit = &UnitMeta<msg::SmallFrequency>::info, .range = &notch_width_range,
        .saved_as = "notchWidth{n}"},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, notch_freq), &detail::value_type<decltype(T::notch_freq)>},
       {offsetof(T, notch_width), &detail::value_type<decltype(T::notch_width)>},
   };
@@ -165,8 +162,7 @@ struct Meta<msg::MavChannel> {
       {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, mav_src), &detail::value_type<decltype(T::mav_src)>},
       {offsetof(T, mav_sys_id), &detail::value_type<decltype(T::mav_sys_id)>},
       {offsetof(T, mav_comp_id), &detail::value_type<decltype(T::mav_comp_id)>},
@@ -191,8 +187,7 @@ struct Meta<msg::StepSignal> {
       {.name = "step_signal_cfg", .spec_name = "STEP_SIGNAL_CFG",
        .summary = "Number of steps and how to trigger them."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, step_signal_src), &detail::value_type<decltype(T::step_signal_src)>},
       {offsetof(T, step_signal_cfg), &detail::value_type<decltype(T::step_signal_cfg)>},
   };
@@ -214,8 +209,7 @@ struct Meta<msg::RcCalibration> {
       {.name = "rc_calib_pos_scale", .spec_name = "RC_CALIB_POS_SCALE",
        .summary = "Factor above the center.", .unit = &UnitMeta<msg::SignalScale>::info},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, rc_calib_src), &detail::value_type<decltype(T::rc_calib_src)>},
       {offsetof(T, rc_calib_offset), &detail::value_type<decltype(T::rc_calib_offset)>},
       {offsetof(T, rc_calib_neg_scale), &detail::value_type<decltype(T::rc_calib_neg_scale)>},
@@ -415,8 +409,7 @@ struct Meta<msg::ReadParams3> {
        .summary = "Active profile; write it back unchanged.", .range = &cur_profile_id_range,
        .role = FieldRole::state},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, profile_id), &detail::value_type<decltype(T::profile_id)>},
       {offsetof(T, axes), &detail::value_type<decltype(T::axes)>},
       {offsetof(T, acc_limiter_all), &detail::value_type<decltype(T::acc_limiter_all)>},
@@ -570,8 +563,7 @@ struct Meta<msg::ReadParams3Request> {
       {.name = "profile_id", .spec_name = "PROFILE_ID", .summary = "Profile to read.",
        .range = &profile_id_range, .special = profile_id_special, .role = FieldRole::copy},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, profile_id), &detail::value_type<decltype(T::profile_id)>},
   };
 
@@ -599,8 +591,7 @@ struct Meta<msg::ReadParams> {
       {.name = "profile_id", .spec_name = "PROFILE_ID", .summary = "Profile to read.",
        .range = &profile_id_range, .special = profile_id_special, .role = FieldRole::copy},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, profile_id), &detail::value_type<decltype(T::profile_id)>},
   };
 
@@ -720,8 +711,7 @@ struct Meta<msg::ReadParamsExt> {
        .unit = &UnitMeta<msg::CoarseFrequency>::info, .range = &d_term_lpf_freq_range,
        .saved_as = "d__lpfFreq", .saved_in = SavedIn::unit},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, profile_id), &detail::value_type<decltype(T::profile_id)>},
       {offsetof(T, notches), &detail::value_type<decltype(T::notches)>},
       {offsetof(T, lpf_freq), &detail::value_type<decltype(T::lpf_freq)>},
@@ -814,8 +804,7 @@ struct Meta<msg::ReadParamsExtRequest> {
       {.name = "profile_id", .spec_name = "PROFILE_ID", .summary = "Profile to read.",
        .range = &profile_id_range, .special = profile_id_special, .role = FieldRole::copy},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, profile_id), &detail::value_type<decltype(T::profile_id)>},
   };
 
@@ -988,8 +977,7 @@ struct Meta<msg::ReadParamsExt2> {
        .range = &middle_mot_tilt_angle_range, .role = FieldRole::general,
        .directed = Directed::by_axis, .saved_as = "middle__motor__tilt", .since = {.firmware = 2670}},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, profile_id), &detail::value_type<decltype(T::profile_id)>},
       {offsetof(T, mav_channels), &detail::value_type<decltype(T::mav_channels)>},
       {offsetof(T, motor_mag_link_fine), &detail::value_type<decltype(T::motor_mag_link_fine)>},
@@ -1104,8 +1092,7 @@ struct Meta<msg::ReadParamsExt2Request> {
       {.name = "profile_id", .spec_name = "PROFILE_ID", .summary = "Profile to read.",
        .range = &profile_id_range, .special = profile_id_special, .role = FieldRole::copy},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, profile_id), &detail::value_type<decltype(T::profile_id)>},
   };
 
@@ -1127,8 +1114,7 @@ struct Meta<msg::WriteParamsSet> {
   static constexpr FieldInfo fields[] = {
       {.name = "action", .spec_name = "ACTION", .summary = "Whether the series begins or ends."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, action), &detail::value_type<decltype(T::action)>},
   };
 
@@ -1149,8 +1135,7 @@ struct Meta<msg::ReadProfileNames> {
   static constexpr FieldInfo fields[] = {
       {.name = "profile_name", .spec_name = "PROFILE{1..5}_NAME", .summary = "Name of each profile."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, profile_name), &detail::value_type<decltype(T::profile_name)>},
   };
 
@@ -1198,8 +1183,7 @@ struct Meta<msg::ProfileSet> {
       {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, slot), &detail::value_type<decltype(T::slot)>},
       {offsetof(T, action), &detail::value_type<decltype(T::action)>},
       {offsetof(T, reserved), &detail::value_type<decltype(T::reserved)>},
@@ -1226,8 +1210,7 @@ struct Meta<msg::SaveParams3> {
       {.name = "param_id", .spec_name = "PARAM_ID",
        .summary = "Variables to save; none stands for all.", .since = {.firmware = 2689}},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, param_id), &detail::value_type<decltype(T::param_id)>},
   };
 
@@ -1254,8 +1237,7 @@ struct Meta<msg::UseDefaults> {
       {.name = "profile_id", .spec_name = "PROFILE_ID", .summary = "Profile to reset.",
        .range = &profile_id_range, .special = profile_id_special},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, profile_id), &detail::value_type<decltype(T::profile_id)>},
   };
 

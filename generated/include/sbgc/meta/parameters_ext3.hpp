@@ -51,8 +51,7 @@ struct Meta<msg::ShakeGenerator> {
       {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, amplitude), &detail::value_type<decltype(T::amplitude)>},
       {offsetof(T, base_freq), &detail::value_type<decltype(T::base_freq)>},
       {offsetof(T, freq_range), &detail::value_type<decltype(T::freq_range)>},
@@ -242,8 +241,7 @@ struct Meta<msg::ReadParamsExt3> {
       {.name = "reserved_5", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, profile_id), &detail::value_type<decltype(T::profile_id)>},
       {offsetof(T, reserved_1), &detail::value_type<decltype(T::reserved_1)>},
       {offsetof(T, ext_imu_type), &detail::value_type<decltype(T::ext_imu_type)>},
@@ -379,8 +377,7 @@ struct Meta<msg::ReadParamsExt3Request> {
       {.name = "profile_id", .spec_name = "PROFILE_ID", .summary = "Profile to read.",
        .range = &profile_id_range, .special = profile_id_special, .role = FieldRole::copy},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, profile_id), &detail::value_type<decltype(T::profile_id)>},
   };
 

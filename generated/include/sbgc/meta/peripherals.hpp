@@ -51,8 +51,7 @@ struct Meta<msg::BeepSound> {
        .unit = &UnitMeta<msg::NoteFrequency>::info, .range = &note_freq_hz_range,
        .special = note_freq_hz_special, .max_count = 50},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, mode), &detail::value_type<decltype(T::mode)>},
       {offsetof(T, note_length), &detail::value_type<decltype(T::note_length)>},
       {offsetof(T, decay_factor), &detail::value_type<decltype(T::decay_factor)>},
@@ -82,8 +81,7 @@ struct Meta<msg::TriggerPin> {
       {.name = "pin_id", .spec_name = "PIN_ID", .summary = "The pin."},
       {.name = "state", .spec_name = "STATE", .summary = "New state of the pin."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, pin_id), &detail::value_type<decltype(T::pin_id)>},
       {offsetof(T, state), &detail::value_type<decltype(T::state)>},
   };
@@ -114,8 +112,7 @@ struct Meta<msg::ServoOut> {
        .unit = &UnitMeta<msg::ServoPulse>::info, .range = &servo_time_range,
        .special = servo_time_special},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, servo_time), &detail::value_type<decltype(T::servo_time)>},
   };
 
@@ -144,8 +141,7 @@ struct Meta<msg::ServoOutFour> {
        .unit = &UnitMeta<msg::ServoPulse>::info, .range = &servo_time_range,
        .special = servo_time_special},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, servo_time), &detail::value_type<decltype(T::servo_time)>},
   };
 
@@ -176,8 +172,7 @@ struct Meta<msg::ServoOutExt> {
        .unit = &UnitMeta<msg::ServoPulse>::info, .range = &servo_time_range,
        .special = servo_time_special},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, servo_bits), &detail::value_type<decltype(T::servo_bits)>},
       {offsetof(T, servo_time), &detail::value_type<decltype(T::servo_time)>},
   };
@@ -203,8 +198,7 @@ struct Meta<msg::I2cWriteRegBuf> {
       {.name = "reg_addr", .spec_name = "REG_ADDR", .summary = "First register."},
       {.name = "data", .spec_name = "DATA", .summary = "Data to write."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, device_addr), &detail::value_type<decltype(T::device_addr)>},
       {offsetof(T, reg_addr), &detail::value_type<decltype(T::reg_addr)>},
       {offsetof(T, data), &detail::value_type<decltype(T::data)>},
@@ -230,8 +224,7 @@ struct Meta<msg::I2cReadRegBuf> {
       {.name = "data", .spec_name = "DATA",
        .summary = "The data, 1 to 255 bytes: as many as requested.", .max_count = 255},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, data), &detail::value_type<decltype(T::data)>},
   };
 
@@ -259,8 +252,7 @@ struct Meta<msg::I2cReadRegBufRequest> {
       {.name = "data_len", .spec_name = "DATA_LEN", .summary = "Number of bytes to read.",
        .unit = &UnitMeta<msg::SmallByteCount>::info, .range = &data_len_range},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, device_addr), &detail::value_type<decltype(T::device_addr)>},
       {offsetof(T, reg_addr), &detail::value_type<decltype(T::reg_addr)>},
       {offsetof(T, data_len), &detail::value_type<decltype(T::data_len)>},
@@ -292,8 +284,7 @@ struct Meta<msg::I2cReadRegBufRequestNoRegister> {
       {.name = "data_len", .spec_name = "DATA_LEN", .summary = "Number of bytes to read.",
        .unit = &UnitMeta<msg::SmallByteCount>::info, .range = &data_len_range},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, device_addr), &detail::value_type<decltype(T::device_addr)>},
       {offsetof(T, data_len), &detail::value_type<decltype(T::data_len)>},
   };
@@ -324,8 +315,7 @@ struct Meta<msg::I2cReadRegBufRequestWideRegister> {
       {.name = "data_len", .spec_name = "DATA_LEN", .summary = "Number of bytes to read.",
        .unit = &UnitMeta<msg::SmallByteCount>::info, .range = &data_len_range},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, device_addr), &detail::value_type<decltype(T::device_addr)>},
       {offsetof(T, reg_addr), &detail::value_type<decltype(T::reg_addr)>},
       {offsetof(T, data_len), &detail::value_type<decltype(T::data_len)>},
@@ -358,8 +348,7 @@ struct Meta<msg::ApiVirtChControl> {
        .unit = &UnitMeta<msg::CentredRcSignal>::info, .range = &val_ch_range,
        .special = val_ch_special, .min_count = 1, .max_count = 32},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, val_ch), &detail::value_type<decltype(T::val_ch)>},
   };
 
@@ -388,8 +377,7 @@ struct Meta<msg::ApiVirtChHighRes> {
        .unit = &UnitMeta<msg::FineRcSignal>::info, .range = &val_ch_range, .special = val_ch_special,
        .min_count = 1, .max_count = 32},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, val_ch), &detail::value_type<decltype(T::val_ch)>},
   };
 
@@ -417,8 +405,7 @@ struct Meta<msg::ReadRcInputs> {
        .unit = &UnitMeta<msg::FineRcSignal>::info, .range = &rc_val_range, .special = rc_val_special,
        .max_count = 127},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, rc_val), &detail::value_type<decltype(T::rc_val)>},
   };
 
@@ -445,8 +432,7 @@ struct Meta<msg::ReadRcInputsRequest> {
        .summary = "The inputs; more than 127 signals do not fit into the response.",
        .max_count = 127},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, cfg_flags), &detail::value_type<decltype(T::cfg_flags)>},
       {offsetof(T, rc_src), &detail::value_type<decltype(T::rc_src)>},
   };

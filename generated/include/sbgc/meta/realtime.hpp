@@ -22,8 +22,7 @@ struct Meta<msg::AxisSensors> {
       {.name = "gyro_data", .spec_name = "GYRO_DATA", .summary = "Gyroscope.",
        .unit = &UnitMeta<msg::GyroRate>::info, .directed = Directed::unknown},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, acc_data), &detail::value_type<decltype(T::acc_data)>},
       {offsetof(T, gyro_data), &detail::value_type<decltype(T::gyro_data)>},
   };
@@ -43,8 +42,7 @@ struct Meta<msg::Motor4Control> {
        .unit = &UnitMeta<msg::Angle14>::info, .directed = Directed::by_axis},
       {.name = "pid_out", .spec_name = "PID_OUT", .summary = "Output of the PID controller."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, ff_speed), &detail::value_type<decltype(T::ff_speed)>},
       {offsetof(T, angle_error), &detail::value_type<decltype(T::angle_error)>},
       {offsetof(T, pid_out), &detail::value_type<decltype(T::pid_out)>},
@@ -71,8 +69,7 @@ struct Meta<msg::MotorPowerState> {
       {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, mot_power), &detail::value_type<decltype(T::mot_power)>},
       {offsetof(T, mot_current), &detail::value_type<decltype(T::mot_current)>},
       {offsetof(T, mot_temp), &detail::value_type<decltype(T::mot_temp)>},
@@ -101,8 +98,7 @@ struct Meta<msg::SystemPowerState> {
       {.name = "system_flags", .spec_name = "SYSTEM_FLAGS",
        .summary = "Problems with the motors or their drivers."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, motors), &detail::value_type<decltype(T::motors)>},
       {offsetof(T, state), &detail::value_type<decltype(T::state)>},
       {offsetof(T, battery_voltage), &detail::value_type<decltype(T::battery_voltage)>},
@@ -130,8 +126,7 @@ struct Meta<msg::CommErrors> {
        .summary = "Number of errors on the CAN bus."},
       {.name = "can_err_flags", .spec_name = "CAN_ERR_FLAGS", .summary = "State of the CAN bus."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, i2c_errors), &detail::value_type<decltype(T::i2c_errors)>},
       {offsetof(T, serial_errors), &detail::value_type<decltype(T::serial_errors)>},
       {offsetof(T, can_errors), &detail::value_type<decltype(T::can_errors)>},
@@ -155,8 +150,7 @@ struct Meta<msg::SystemStatus> {
       {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, flags), &detail::value_type<decltype(T::flags)>},
       {offsetof(T, calib_mode), &detail::value_type<decltype(T::calib_mode)>},
       {offsetof(T, reserved), &detail::value_type<decltype(T::reserved)>},
@@ -179,8 +173,7 @@ struct Meta<msg::SoftLimitDistances> {
        .summary = "Distances to the lower and the upper limit: positive inside, negative outside of it.",
        .unit = &UnitMeta<msg::Angle14>::info, .special = dist_special},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, dist), &detail::value_type<decltype(T::dist)>},
   };
 
@@ -204,8 +197,7 @@ struct Meta<msg::MainImuState> {
       {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, g_ref_error), &detail::value_type<decltype(T::g_ref_error)>},
       {offsetof(T, h_ref_error), &detail::value_type<decltype(T::h_ref_error)>},
       {offsetof(T, flags), &detail::value_type<decltype(T::flags)>},
@@ -231,8 +223,7 @@ struct Meta<msg::PinStates> {
       {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, extra_buttons_state), &detail::value_type<decltype(T::extra_buttons_state)>},
       {offsetof(T, pin_state), &detail::value_type<decltype(T::pin_state)>},
       {offsetof(T, reserved), &detail::value_type<decltype(T::reserved)>},
@@ -264,8 +255,7 @@ struct Meta<msg::StreamConfig> {
        .summary = "What is not used of the 8 bytes; filled up with zeros.", .reserved = true,
        .optional = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, flags), &detail::value_type<decltype(T::flags)>},
       {offsetof(T, imu_type), &detail::value_type<decltype(T::imu_type)>},
       {offsetof(T, event_id), &detail::value_type<decltype(T::event_id)>},
@@ -383,8 +373,7 @@ struct Meta<msg::RealtimeData3> {
        .range = &cur_profile_range},
       {.name = "motor_power", .spec_name = "MOTOR_POWER_{AXIS}", .summary = "Power of each motor."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, axes), &detail::value_type<decltype(T::axes)>},
       {offsetof(T, serial_error_cnt), &detail::value_type<decltype(T::serial_error_cnt)>},
       {offsetof(T, system_error), &detail::value_type<decltype(T::system_error)>},
@@ -567,8 +556,7 @@ struct Meta<msg::RealtimeData4> {
       {.name = "reserved_3", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, axes), &detail::value_type<decltype(T::axes)>},
       {offsetof(T, serial_error_cnt), &detail::value_type<decltype(T::serial_error_cnt)>},
       {offsetof(T, system_error), &detail::value_type<decltype(T::system_error)>},
@@ -762,8 +750,7 @@ struct Meta<msg::RealtimeDataCustom> {
        .directed = Directed::by_axis},
       {.name = "main_imu_state", .spec_name = "MAIN_IMU_STATE", .summary = "State of the main IMU."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, timestamp_ms), &detail::value_type<decltype(T::timestamp_ms)>},
       {offsetof(T, flags), &detail::value_type<decltype(T::flags)>},
       {offsetof(T, imu_angles), &detail::value_type<decltype(T::imu_angles)>},
@@ -856,8 +843,7 @@ struct Meta<msg::RealtimeDataCustomRequest> {
       {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, flags), &detail::value_type<decltype(T::flags)>},
       {offsetof(T, reserved), &detail::value_type<decltype(T::reserved)>},
   };
@@ -895,8 +881,7 @@ struct Meta<msg::RealtimeDataCustom2> {
        .summary = "Amplitude of the stabilization error.",
        .unit = &UnitMeta<msg::Millidegrees>::info},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, timestamp_ms), &detail::value_type<decltype(T::timestamp_ms)>},
       {offsetof(T, flags), &detail::value_type<decltype(T::flags)>},
       {offsetof(T, frame_imu_angles), &detail::value_type<decltype(T::frame_imu_angles)>},
@@ -939,8 +924,7 @@ struct Meta<msg::RealtimeDataCustom2Request> {
       {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, flags), &detail::value_type<decltype(T::flags)>},
       {offsetof(T, reserved), &detail::value_type<decltype(T::reserved)>},
   };
@@ -977,8 +961,7 @@ struct Meta<msg::DataStreamInterval> {
       {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, cmd_id), &detail::value_type<decltype(T::cmd_id)>},
       {offsetof(T, interval_ms), &detail::value_type<decltype(T::interval_ms)>},
       {offsetof(T, config), &detail::value_type<decltype(T::config)>},
@@ -1042,8 +1025,7 @@ struct Meta<msg::CanDrvTelemetry> {
       {.name = "pid_current_err", .spec_name = "PID_CURRENT_ERR",
        .summary = "Error of the current controller."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, drv_id), &detail::value_type<decltype(T::drv_id)>},
       {offsetof(T, timestamp_ms), &detail::value_type<decltype(T::timestamp_ms)>},
       {offsetof(T, can_bus_flags), &detail::value_type<decltype(T::can_bus_flags)>},
@@ -1099,8 +1081,7 @@ struct Meta<msg::CanDrvState> {
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, data), &detail::value_type<decltype(T::data)>},
   };
 
@@ -1122,8 +1103,7 @@ struct Meta<msg::CanDrvStateRequest> {
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, data), &detail::value_type<decltype(T::data)>},
   };
 
@@ -1144,8 +1124,7 @@ struct Meta<msg::RealtimeDataCanDrv> {
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, data), &detail::value_type<decltype(T::data)>},
   };
 
@@ -1167,8 +1146,7 @@ struct Meta<msg::RealtimeDataCanDrvRequest> {
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, data), &detail::value_type<decltype(T::data)>},
   };
 

@@ -29,8 +29,7 @@ struct Meta<msg::RunScript> {
       {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, mode), &detail::value_type<decltype(T::mode)>},
       {offsetof(T, slot), &detail::value_type<decltype(T::slot)>},
       {offsetof(T, reserved), &detail::value_type<decltype(T::reserved)>},
@@ -58,8 +57,7 @@ struct Meta<msg::ScriptDebug> {
       {.name = "err_code", .spec_name = "ERR_CODE",
        .summary = "Error code; unlisted codes are possible."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, cmd_count), &detail::value_type<decltype(T::cmd_count)>},
       {offsetof(T, err_code), &detail::value_type<decltype(T::err_code)>},
   };

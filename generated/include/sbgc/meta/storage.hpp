@@ -28,8 +28,7 @@ struct Meta<msg::EepromWrite> {
       {.name = "data", .spec_name = "DATA", .summary = "Data to write.", .max_count = 192,
        .align = 64},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, addr), &detail::value_type<decltype(T::addr)>},
       {offsetof(T, data), &detail::value_type<decltype(T::data)>},
   };
@@ -58,8 +57,7 @@ struct Meta<msg::ReadFile> {
       {.name = "data", .spec_name = "DATA",
        .summary = "As many bytes as requested, or fewer at the end of the file.", .max_count = 251},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, file_size), &detail::value_type<decltype(T::file_size)>},
       {offsetof(T, page_offset), &detail::value_type<decltype(T::page_offset)>},
       {offsetof(T, data), &detail::value_type<decltype(T::data)>},
@@ -84,8 +82,7 @@ struct Meta<msg::ReadFileError> {
   static constexpr FieldInfo fields[] = {
       {.name = "err_code", .spec_name = "ERR_CODE", .summary = "Error code."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, err_code), &detail::value_type<decltype(T::err_code)>},
   };
 
@@ -117,8 +114,7 @@ struct Meta<msg::ReadFileRequest> {
       {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, file_id), &detail::value_type<decltype(T::file_id)>},
       {offsetof(T, page_offset), &detail::value_type<decltype(T::page_offset)>},
       {offsetof(T, max_data_size), &detail::value_type<decltype(T::max_data_size)>},
@@ -152,8 +148,7 @@ struct Meta<msg::WriteFile> {
       {.name = "data", .spec_name = "DATA", .summary = "Data to write; empty deletes the file.",
        .max_count = 249},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, file_id), &detail::value_type<decltype(T::file_id)>},
       {offsetof(T, file_size), &detail::value_type<decltype(T::file_size)>},
       {offsetof(T, page_offset), &detail::value_type<decltype(T::page_offset)>},
@@ -197,8 +192,7 @@ struct Meta<msg::EepromRead> {
       {.name = "data", .spec_name = "DATA",
        .summary = "Content of the block, as many bytes as requested.", .max_count = 192},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, addr), &detail::value_type<decltype(T::addr)>},
       {offsetof(T, data), &detail::value_type<decltype(T::data)>},
   };
@@ -228,8 +222,7 @@ struct Meta<msg::EepromReadRequest> {
        .summary = "Number of bytes to read; they must fit into one message.",
        .unit = &UnitMeta<msg::ByteCount>::info, .range = &size_range, .align = 64},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, addr), &detail::value_type<decltype(T::addr)>},
       {offsetof(T, size), &detail::value_type<decltype(T::size)>},
   };
@@ -252,8 +245,7 @@ struct Meta<msg::ReadExternalData> {
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "data", .summary = "The user data."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, data), &detail::value_type<decltype(T::data)>},
   };
 

@@ -46,8 +46,7 @@ struct Meta<msg::BoardInfo> {
       {.name = "base_frw_ver", .spec_name = "BASE_FRW_VER",
        .summary = "Main version on which an experimental version is based."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, board_ver), &detail::value_type<decltype(T::board_ver)>},
       {offsetof(T, firmware_ver), &detail::value_type<decltype(T::firmware_ver)>},
       {offsetof(T, debug_mode), &detail::value_type<decltype(T::debug_mode)>},
@@ -108,8 +107,7 @@ struct Meta<msg::BoardInfoRequestOneByte> {
       {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, reserved), &detail::value_type<decltype(T::reserved)>},
   };
 
@@ -139,8 +137,7 @@ struct Meta<msg::BoardInfoRequestExt> {
       {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, cfg), &detail::value_type<decltype(T::cfg)>},
       {offsetof(T, password), &detail::value_type<decltype(T::password)>},
       {offsetof(T, reserved), &detail::value_type<decltype(T::reserved)>},
@@ -175,8 +172,7 @@ struct Meta<msg::Confirm> {
       {.name = "data", .spec_name = "DATA",
        .summary = "Data of other commands; usually empty, or 0 for success.", .max_count = 5},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, cmd), &detail::value_type<decltype(T::cmd)>},
       {offsetof(T, addr), &detail::value_type<decltype(T::addr)>},
       {offsetof(T, err_code), &detail::value_type<decltype(T::err_code)>},
@@ -209,8 +205,7 @@ struct Meta<msg::Error> {
       {.name = "error_data", .spec_name = "ERROR_DATA",
        .summary = "Details that depend on the code."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, error_code), &detail::value_type<decltype(T::error_code)>},
       {offsetof(T, error_data), &detail::value_type<decltype(T::error_data)>},
   };
@@ -236,8 +231,7 @@ struct Meta<msg::ErrorExt> {
       {.name = "error_data", .spec_name = "ERROR_DATA",
        .summary = "Details that depend on the code."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, cmd_id), &detail::value_type<decltype(T::cmd_id)>},
       {offsetof(T, error_code), &detail::value_type<decltype(T::error_code)>},
       {offsetof(T, error_data), &detail::value_type<decltype(T::error_data)>},
@@ -304,8 +298,7 @@ struct Meta<msg::BoardInfo3> {
       {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, device_id), &detail::value_type<decltype(T::device_id)>},
       {offsetof(T, mcu_id), &detail::value_type<decltype(T::mcu_id)>},
       {offsetof(T, eeprom_size), &detail::value_type<decltype(T::eeprom_size)>},
@@ -404,8 +397,7 @@ struct Meta<msg::ResetRequestExt> {
       {.name = "delay_ms", .spec_name = "DELAY_MS", .summary = "Delay before the restart.",
        .unit = &UnitMeta<msg::Milliseconds>::info},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, confirm), &detail::value_type<decltype(T::confirm)>},
       {offsetof(T, delay_ms), &detail::value_type<decltype(T::delay_ms)>},
   };
@@ -448,8 +440,7 @@ struct Meta<msg::BootMode3Ext> {
       {.name = "delay_ms", .spec_name = "DELAY_MS", .summary = "Delay before the bootloader starts.",
        .unit = &UnitMeta<msg::Milliseconds>::info},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, confirm), &detail::value_type<decltype(T::confirm)>},
       {offsetof(T, delay_ms), &detail::value_type<decltype(T::delay_ms)>},
   };
@@ -506,8 +497,7 @@ struct Meta<msg::ReadStateVars> {
       {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, step_signal_val), &detail::value_type<decltype(T::step_signal_val)>},
       {offsetof(T, sub_error), &detail::value_type<decltype(T::sub_error)>},
       {offsetof(T, max_acc), &detail::value_type<decltype(T::max_acc)>},
@@ -576,8 +566,7 @@ struct Meta<msg::SignMessage> {
   static constexpr FieldInfo fields[] = {
       {.name = "signature", .spec_name = "SIGNATURE", .summary = "The signature."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, signature), &detail::value_type<decltype(T::signature)>},
   };
 
@@ -603,8 +592,7 @@ struct Meta<msg::SignMessageRequest> {
       {.name = "sign_type", .spec_name = "SIGN_TYPE", .summary = "Set of keys."},
       {.name = "message", .spec_name = "MESSAGE", .summary = "The message."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, sign_type), &detail::value_type<decltype(T::sign_type)>},
       {offsetof(T, message), &detail::value_type<decltype(T::message)>},
   };
@@ -629,8 +617,7 @@ struct Meta<msg::PassProtectRead> {
       {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
        .reserved = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, flags), &detail::value_type<decltype(T::flags)>},
       {offsetof(T, reserved), &detail::value_type<decltype(T::reserved)>},
   };
@@ -677,8 +664,7 @@ struct Meta<msg::PassProtectWrite> {
       {.name = "new_password", .spec_name = "NEW_PASSWORD",
        .summary = "The new password; empty keeps the present one.", .secret = true},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, flags), &detail::value_type<decltype(T::flags)>},
       {offsetof(T, reserved), &detail::value_type<decltype(T::reserved)>},
       {offsetof(T, new_password), &detail::value_type<decltype(T::new_password)>},
@@ -703,8 +689,7 @@ struct Meta<msg::QueueParamsInfo3> {
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, data), &detail::value_type<decltype(T::data)>},
   };
 
@@ -726,8 +711,7 @@ struct Meta<msg::QueueParamsInfo3Request> {
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, data), &detail::value_type<decltype(T::data)>},
   };
 
@@ -748,8 +732,7 @@ struct Meta<msg::SystemState> {
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, data), &detail::value_type<decltype(T::data)>},
   };
 
@@ -771,8 +754,7 @@ struct Meta<msg::SystemStateRequest> {
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, data), &detail::value_type<decltype(T::data)>},
   };
 
@@ -793,8 +775,7 @@ struct Meta<msg::MavlinkInfo> {
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, data), &detail::value_type<decltype(T::data)>},
   };
 
@@ -816,8 +797,7 @@ struct Meta<msg::MavlinkInfoRequest> {
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, data), &detail::value_type<decltype(T::data)>},
   };
 
@@ -838,8 +818,7 @@ struct Meta<msg::MavlinkDebug> {
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, data), &detail::value_type<decltype(T::data)>},
   };
 
@@ -861,8 +840,7 @@ struct Meta<msg::MavlinkDebugRequest> {
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, data), &detail::value_type<decltype(T::data)>},
   };
 
@@ -884,8 +862,7 @@ struct Meta<msg::ExtLicenseInfo> {
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, data), &detail::value_type<decltype(T::data)>},
   };
 
@@ -908,8 +885,7 @@ struct Meta<msg::ExtLicenseInfoRequest> {
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
-  template <class T>
-  static constexpr detail::Slot slots[] = {
+  template <class T> static constexpr detail::Slot slots[] = {
       {offsetof(T, data), &detail::value_type<decltype(T::data)>},
   };
 

@@ -60,7 +60,7 @@ SBGC_ALWAYS_INLINE inline decltype(auto) with_raw(RawType type, Use&& use) {
 }
 
 /// Returns an integer; the bits of one that is unsigned and has 64 bits.
-inline std::int64_t load_integer(RawType type, const void* at) noexcept {
+SBGC_ALWAYS_INLINE inline std::int64_t load_integer(RawType type, const void* at) noexcept {
   return with_raw(type, [at]<class T>(T) { return static_cast<std::int64_t>(load<T>(at)); });
 }
 inline double load_real(RawType type, const void* at) noexcept {

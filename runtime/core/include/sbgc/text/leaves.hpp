@@ -218,9 +218,16 @@ class LeafWalk {
   }
 
  private:
-  void value(const FieldInfo& field, const ValueType& type, const void* at, const FieldPath& path) {
+  SBGC_ALWAYS_INLINE void value(const FieldInfo& field, const ValueType& type, const void* at,
+                                const FieldPath& path) {
+    // Most values are numbers, which should not pay for the rest.
+    if (type.kind != Kind::scalar) return other(field, type, at, path);
+    scalar(field, type, at, path, type.meaning, field.later);
+  }
+  SBGC_NOINLINE void other(const FieldInfo& field, const ValueType& type, const void* at,
+                           const FieldPath& path) {
     switch (type.kind) {
-      case Kind::scalar: return scalar(field, type, at, path, type.meaning, field.later);
+      case Kind::scalar: return;
       case Kind::axes: return axes(field, type, at, path);
       case Kind::group: return members(*type.group, at, &path);
       case Kind::array:
@@ -252,21 +259,28 @@ class LeafWalk {
     }
   }
   void scalar(const FieldInfo& field, const ValueType& type, const void* at, const FieldPath& path,
-              ScalarInfo info, std::span<const LaterMeaning> later) {
+              ScalarInfo info, const std::span<const LaterMeaning>& later) {
     const LaterMeaning* const assumed = later.empty() ? nullptr : change(info, later);
     if (info.unit != nullptr && field.alternative != nullptr) {
       info.unit = selected_unit(*info.unit, *field.alternative, path);
     }
-    const bool is_number = is_real(type.raw);
-    const std::int64_t raw = is_number ? 0 : load_integer(type.raw, at);
+    if (is_real(type.raw)) {
+      return add({.path = path,
+                  .field = field,
+                  .kind = LeafKind::real,
+                  .real = load_real(type.raw, at),
+                  .unit = info.unit,
+                  .assumed_before = assumed,
+                  .size = type.wire});
+    }
+    const std::int64_t raw = load_integer(type.raw, at);
     // Only a flag set or a packed value can select the unit of a later value.
     if (info.names != nullptr || info.packed != nullptr) remember(raw, path);
     add({.path = path,
          .field = field,
-         .kind = is_number ? LeafKind::real : LeafKind::integer,
+         .kind = LeafKind::integer,
          .integer = raw,
          .is_u64 = type.raw == RawType::u64,
-         .real = is_number ? load_real(type.raw, at) : 0,
          .unit = info.unit,
          .names = info.names,
          .packed = info.packed,
@@ -309,7 +323,7 @@ class LeafWalk {
     }
     return nullptr;
   }
-  void add(Leaf leaf) {
+  void add(Leaf&& leaf) {
     leaf.offset = offset_;
     offset_ += leaf.size;
     use_(user_, leaf);
