@@ -39,6 +39,8 @@ from sbgc.errors import (
     FieldError,
     GimbalDisconnected,
     GimbalError,
+    GimbalInterrupted,
+    GimbalSuperseded,
     GimbalTimeout,
 )
 from sbgc.link import Calibration, Identity, Move, SpeedControl
@@ -80,6 +82,8 @@ __all__ = [
     "Gimbal",
     "GimbalDisconnected",
     "GimbalError",
+    "GimbalInterrupted",
+    "GimbalSuperseded",
     "GimbalTimeout",
     "Identity",
     "Message",

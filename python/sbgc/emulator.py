@@ -8,7 +8,6 @@ from typing import NamedTuple, Optional
 
 from sbgc import _core
 
-
 _SLICE = 1.0
 
 
@@ -35,12 +34,12 @@ class Board:
     @property
     def angles(self) -> Angles:
         """The angles of the camera."""
-        return Angles(*self._board.angles())
+        return Angles(*self._board.sample()[0])
 
     @property
     def speeds(self) -> Angles:
         """The speeds of the camera."""
-        return Angles(*self._board.speeds())
+        return Angles(*self._board.sample()[1])
 
     @property
     def time(self) -> float:
