@@ -44,7 +44,7 @@ from sbgc.errors import (
     GimbalTimeout,
 )
 from sbgc.link import Calibration, Identity, Move, SpeedControl
-from sbgc.message import Contexts, Message
+from sbgc.message import Contexts, Message, Request
 from sbgc.msg.protocol import Framing
 from sbgc.parameters import Profile, diff
 from sbgc.search import Found, Port, Usb, find, ports
@@ -92,6 +92,7 @@ __all__ = [
     "ParserCounters",
     "Port",
     "Profile",
+    "Request",
     "ResponsePoint",
     "SpeedControl",
     "Stream",

@@ -25,6 +25,9 @@ class Board:
     def __init__(self, board: _core.Emulation) -> None:
         self._board = board
 
+    def __repr__(self) -> str:
+        return f"<sbgc.Board, emulated in {'virtual' if self.has_virtual_time else 'real'} time>"
+
     def __enter__(self) -> Board:
         return self
 

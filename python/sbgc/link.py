@@ -9,14 +9,15 @@ import warnings
 import weakref
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
+from difflib import get_close_matches
 from numbers import Real
-from typing import Any, Literal, Optional, TypeVar, Union
+from typing import TYPE_CHECKING, Any, Literal, Optional, TypeVar, Union
 
-from sbgc import _core
+from sbgc import _core, msg
 from sbgc.emulator import Angles, Board
 from sbgc.errors import GimbalDisconnected, GimbalError, GimbalTimeout
 from sbgc.fields import limited
-from sbgc.message import Message, wrap
+from sbgc.message import Message, Request, wrap
 from sbgc.msg import BoardInfo, BoardInfo3, CalibInfo, RunScript, ScriptMode
 
 M = TypeVar("M", bound=Message)
@@ -179,6 +180,31 @@ class Link:
             return f"<{name} of another process>"
         state = "" if self._link.is_connected() else ", not connected"
         return f"<{name} of {self._link.description()}{state}>"
+
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> object:
+            text = f"'{type(self).__name__}' object has no attribute '{name}'{self._hint(name)}"
+            raise AttributeError(text)
+
+    def _hint(self, name: str) -> str:
+        """What somebody who writes this name is looking for."""
+        public = [one for one in dir(type(self)) if not one.startswith("_")]
+        verb, _, rest = name.partition("_")
+        if verb in ("get", "read") and rest in public:
+            return f"; it has {rest}"
+        if name.startswith("_"):
+            return ""
+        words = name.replace("_", "").lower()
+        requests = [one for one in vars(msg).values() if isinstance(one, type)]
+        for request in requests:
+            if issubclass(request, Request) and request.__name__.lower() in (
+                words,
+                f"{words}request",
+            ):
+                return f"; there is the request call(msg.{request.__name__}())"
+        near = get_close_matches(name, public)
+        return f"; it has {', '.join(near)}" if near else ""
 
     def __del__(self) -> None:
         if not self._is_closed and not self._link.is_forked():

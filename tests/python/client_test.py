@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gc
 import inspect
+import logging
 import os
 import signal
 import subprocess
@@ -35,6 +36,43 @@ def test_a_board_may_have_later_firmware() -> None:
         sbgc.emulator("9.9")
 
 
+def test_what_people_look_for_first_has_a_name(board: Board, gimbal: Gimbal) -> None:
+    gimbal.move_to(pitch=10, speed=30)
+    assert gimbal.angles().pitch == pytest.approx(board.angles.pitch, abs=0.6)
+    assert gimbal.firmware == "2.59" and 5 < gimbal.battery_voltage() < 60
+    gimbal.motors_off()
+    gimbal.motors_on()
+    for wrong, right in (
+        ("get_angles", "it has angles"),
+        ("mov_to", "it has move_to"),
+        ("beep_sound", r"there is the request call\(msg.BeepSound\(\)\)"),
+    ):
+        with pytest.raises(AttributeError, match=f"no attribute '{wrong}'; {right}"):
+            getattr(gimbal, wrong)
+    assert repr(gimbal) == "<sbgc.client.Gimbal of memory link>"
+    assert repr(board) == "<sbgc.Board, emulated in real time>"
+
+
+def test_a_turn_lasts_as_long_as_it_is_asked_for(board: Board, gimbal: Gimbal) -> None:
+    begin, yaw = time.monotonic(), board.angles.yaw
+    gimbal.turn(yaw=20, seconds=1)
+    assert 1 < time.monotonic() - begin < 3 and is_still(board)
+    assert board.angles.yaw - yaw == pytest.approx(20, abs=4)
+    with pytest.raises(ValueError, match="seconds: -1 is no time"):
+        gimbal.turn(yaw=20, seconds=-1)
+
+
+def test_connections_are_logged(board: Board, caplog: pytest.LogCaptureFixture) -> None:
+    caplog.set_level(logging.INFO, "sbgc")
+    with sbgc.connect(board, reconnect=True) as gimbal:
+        board.unplug()
+        with suppress(GimbalDisconnected):
+            gimbal.call(msg.GetAnglesRequest(), timeout=1)
+        gimbal.wait_until_connected(timeout=20)
+    text = caplog.text
+    assert text.index("connected: memory link") < text.index("lost: ") < text.rindex("connected: ")
+
+
 def test_move_to_arrives_and_reports_its_progress(board: Board, gimbal: Gimbal) -> None:
     seen: list[sbgc.Move] = []
     moved = gimbal.move_to(pitch=10, speed=30, progress=seen.append)
@@ -58,6 +96,16 @@ def test_arguments_out_of_range_are_errors_with_field_value_and_limit(gimbal: Gi
 
 def test_what_is_something_else_is_an_error(gimbal: Gimbal) -> None:
     wrong: Any = msg.AxisState()  # a part of a message
+    with pytest.raises(GimbalError, match="no-such-port"):
+        sbgc.connect(Path("/dev/no-such-port"))
+    with pytest.raises(TypeError, match="places: a list of addresses or boards is needed"):
+        sbgc.find("/dev/ttyUSB0")
+    with pytest.raises(TypeError, match="retries: an integer is needed, not 1.5"):
+        gimbal.call(msg.MotorsOn(), retries=1.5)  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match="dry_run: True or False is needed, not 'no'"):
+        gimbal.restore("", dry_run="no")  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match="capture: the name of a file is needed, not 5"):
+        sbgc.connect("/dev/no-such-port", capture=5)  # type: ignore[arg-type]
     for place in (None, 5, b"tcp:localhost:1"):
         with pytest.raises(TypeError, match="place: an address or an emulated board is needed"):
             sbgc.connect(place)  # type: ignore[arg-type]
@@ -254,6 +302,12 @@ def test_parameters_are_written_once_at_the_end(gimbal: Gimbal) -> None:
         assert gimbal.read_profile(2)["pitch.p"] == before
     assert gimbal.read_profile(2)["pitch.p"] == 20
     assert gimbal.read_profile(1)["pitch.p"] == before
+    read = gimbal.read_profile(2)
+    assert "pitch.p" in read and "pitch.q" not in read and dict(read)["axes.pitch.p"] == 20
+    assert len(list(read)) == len(set(read)) == len(read) > 100
+    with gimbal.edit_profile(2) as profile:
+        profile["follow_mode"] = "FOLLOW_MODE_FC"
+    assert gimbal.read_profile(2)["follow_mode"] == "FOLLOW_MODE_FC"
     with pytest.raises(ZeroDivisionError), gimbal.edit_profile(2) as profile:
         profile["pitch.p"] = 21
         raise ZeroDivisionError

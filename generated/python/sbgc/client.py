@@ -6,12 +6,12 @@ from __future__ import annotations
 import warnings
 from collections.abc import Iterator, Callable, Mapping, Sequence
 from contextlib import contextmanager, suppress
-from typing import Generic, Optional, TypeVar, Union
+from typing import Any, Generic, Optional, TypeVar, Union
 
 from sbgc import _core
 from sbgc.waiting import SpeedBlock, Waiting
 from sbgc.bode import BodeRecording, recording_of
-from sbgc.emulator import Board
+from sbgc.emulator import Angles, Board
 from sbgc.errors import Error
 from sbgc.link import (
     Bytes,
@@ -30,11 +30,20 @@ from sbgc.link import (
     seconds_of,
     target_of,
 )
-from sbgc.message import Message, of_library, wrap
-from sbgc.msg import BodeTestStartStopRequest, ScriptMode
+from sbgc.message import Message, Request, of_library, wrap
+from sbgc.msg import (
+    BodeTestStartStopRequest,
+    CalibGyro,
+    GetAnglesRequest,
+    MotorsOff,
+    MotorsOn,
+    RealtimeData3Request,
+    ScriptMode,
+)
 from sbgc.parameters import Edit, Profile, profile_index
 
 M = TypeVar("M", bound=Message)
+R = TypeVar("R")
 T = TypeVar("T")
 
 
@@ -54,13 +63,13 @@ class Gimbal(Waiting):
 
     def call(
         self,
-        request: Message,
+        request: Request[R],
         *,
         timeout: Optional[float] = None,
         retries: Optional[int] = None,
         validates: bool = True,
         expects_confirmation: bool = False,
-    ) -> Optional[Message]:
+    ) -> R:
         """Send a request and return its response or confirmation; None if the protocol has none.
 
         With `expects_confirmation`, wait for one that the board may leave out, and raise a
@@ -69,7 +78,34 @@ class Gimbal(Waiting):
         found = self._finish(
             self._link.call(of_library(request), timeout, retries, validates, expects_confirmation)
         )
-        return None if found is None else wrap(found)
+        answer: Any = None if found is None else wrap(found)
+        return answer  # type: ignore[no-any-return]
+
+    def angles(self, *, timeout: Optional[float] = None) -> Angles:
+        """The angles of the camera in degrees, as its IMU measures them."""
+        axes = (self.call(GetAnglesRequest(), timeout=timeout)).axes
+        return Angles(*(axis.imu_angle for axis in axes))
+
+    def motors_on(self, *, timeout: Optional[float] = None) -> None:
+        """Turn the motors on. The camera may jump to its target."""
+        self.call(MotorsOn(), timeout=timeout)
+
+    def motors_off(self, *, timeout: Optional[float] = None) -> None:
+        """Turn the motors off. The camera may drop to its heavy side."""
+        self.call(MotorsOff(), timeout=timeout)
+
+    def battery_voltage(self, *, timeout: Optional[float] = None) -> float:
+        """The voltage of the battery in volts."""
+        return (self.call(RealtimeData3Request(), timeout=timeout)).bat_level
+
+    def calibrate_gyro(
+        self,
+        *,
+        timeout: Optional[float] = None,
+        progress: Optional[Callable[[Calibration], object]] = None,
+    ) -> CalibrationEnd:
+        """Calibrate the gyroscope: calibrate(msg.CalibGyro()). The camera must not move."""
+        return self.calibrate(CalibGyro(), timeout=timeout, progress=progress)
 
     def move_to(
         self,

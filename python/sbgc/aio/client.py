@@ -5,12 +5,12 @@ from __future__ import annotations
 import warnings
 from collections.abc import AsyncIterator, Callable, Mapping, Sequence
 from contextlib import asynccontextmanager, suppress
-from typing import Generic, Optional, TypeVar, Union
+from typing import Any, Generic, Optional, TypeVar, Union
 
 from sbgc import _core
 from sbgc.aio.waiting import SpeedBlock, Waiting
 from sbgc.bode import BodeRecording, recording_of
-from sbgc.emulator import Board
+from sbgc.emulator import Angles, Board
 from sbgc.errors import Error
 from sbgc.link import (
     Bytes,
@@ -29,11 +29,20 @@ from sbgc.link import (
     seconds_of,
     target_of,
 )
-from sbgc.message import Message, of_library, wrap
-from sbgc.msg import BodeTestStartStopRequest, ScriptMode
+from sbgc.message import Message, Request, of_library, wrap
+from sbgc.msg import (
+    BodeTestStartStopRequest,
+    CalibGyro,
+    GetAnglesRequest,
+    MotorsOff,
+    MotorsOn,
+    RealtimeData3Request,
+    ScriptMode,
+)
 from sbgc.parameters import Edit, Profile, profile_index
 
 M = TypeVar("M", bound=Message)
+R = TypeVar("R")
 T = TypeVar("T")
 
 
@@ -53,13 +62,13 @@ class Gimbal(Waiting):
 
     async def call(
         self,
-        request: Message,
+        request: Request[R],
         *,
         timeout: Optional[float] = None,
         retries: Optional[int] = None,
         validates: bool = True,
         expects_confirmation: bool = False,
-    ) -> Optional[Message]:
+    ) -> R:
         """Send a request and return its response or confirmation; None if the protocol has none.
 
         With `expects_confirmation`, wait for one that the board may leave out, and raise a
@@ -68,7 +77,34 @@ class Gimbal(Waiting):
         found = await self._finish(
             self._link.call(of_library(request), timeout, retries, validates, expects_confirmation)
         )
-        return None if found is None else wrap(found)
+        answer: Any = None if found is None else wrap(found)
+        return answer  # type: ignore[no-any-return]
+
+    async def angles(self, *, timeout: Optional[float] = None) -> Angles:
+        """The angles of the camera in degrees, as its IMU measures them."""
+        axes = (await self.call(GetAnglesRequest(), timeout=timeout)).axes
+        return Angles(*(axis.imu_angle for axis in axes))
+
+    async def motors_on(self, *, timeout: Optional[float] = None) -> None:
+        """Turn the motors on. The camera may jump to its target."""
+        await self.call(MotorsOn(), timeout=timeout)
+
+    async def motors_off(self, *, timeout: Optional[float] = None) -> None:
+        """Turn the motors off. The camera may drop to its heavy side."""
+        await self.call(MotorsOff(), timeout=timeout)
+
+    async def battery_voltage(self, *, timeout: Optional[float] = None) -> float:
+        """The voltage of the battery in volts."""
+        return (await self.call(RealtimeData3Request(), timeout=timeout)).bat_level
+
+    async def calibrate_gyro(
+        self,
+        *,
+        timeout: Optional[float] = None,
+        progress: Optional[Callable[[Calibration], object]] = None,
+    ) -> CalibrationEnd:
+        """Calibrate the gyroscope: calibrate(msg.CalibGyro()). The camera must not move."""
+        return await self.calibrate(CalibGyro(), timeout=timeout, progress=progress)
 
     async def move_to(
         self,
