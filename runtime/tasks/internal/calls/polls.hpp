@@ -38,8 +38,13 @@ class Polls {
     const auto at = polls_.find(id);
     if (at == polls_.end()) return;
     std::multiset<Duration>& intervals = at->second.intervals;
+    const Duration before = *intervals.begin();
     intervals.erase(intervals.find(interval));
-    if (intervals.empty()) polls_.erase(at);
+    if (intervals.empty()) {
+      polls_.erase(at);
+    } else {
+      at->second.next = at->second.next - before + *intervals.begin();
+    }
   }
 
   /// Returns what is due, which is pending from now on.
