@@ -108,7 +108,7 @@ def test_ctrl_c_in_a_task_stops_the_camera_first(board: Board, kind: str) -> Non
                 sys.settrace(None)
 
     sign = 1
-    for step in range(1, 140, 9):
+    for step in range(1, 140, 13):
         sign = -sign
         with pytest.raises(KeyboardInterrupt):
             asyncio.run(main(Interrupter(step)))

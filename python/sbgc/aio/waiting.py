@@ -22,8 +22,8 @@ class _Done:
 
 class Waiting(Link):
     def __init__(self) -> None:
-        super().__init__()
         self._loop = asyncio.get_running_loop()
+        super().__init__()
         self._rung = asyncio.Event()
         self._has_ended = False
         self._closing: Awaitable[None] = _Done()
