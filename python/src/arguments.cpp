@@ -45,7 +45,7 @@ std::int64_t integer_of(py::handle value, const char* name, std::int64_t lowest,
   const std::int64_t number = PyLong_AsLongLongAndOverflow(integer.ptr(), &is_beyond);
   if (is_beyond == 0 && number >= lowest && number <= highest) return number;
   raise_beyond(name, std::to_string(lowest), std::to_string(highest),
-               py::str(integer).cast<std::string>());
+               py::repr(integer).cast<std::string>());
 }
 
 std::string string_of(py::handle value, const char* name) {
