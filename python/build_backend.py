@@ -9,22 +9,24 @@ from __future__ import annotations
 import base64
 import gzip
 import hashlib
+import importlib
 import io
 import os
 import re
+import shutil
 import subprocess
 import sys
 import sysconfig
 import tarfile
 import time
-import tomllib
 import zipfile
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, Optional
 
 ROOT = Path(__file__).resolve().parents[1]
-BUILD = ROOT / "build" / "wheel"
+# A folder for each Python: what CMake has found for one does not fit another.
+BUILD = ROOT / "build" / "wheel" / (sys.implementation.cache_tag or "python")
 # What the package is built from.
 SOURCES = [
     *("CMakeLists.txt", "LICENSE", "README.md", "pyproject.toml", "runtime", "emulator"),
@@ -34,9 +36,41 @@ SOURCES = [
 Settings = Optional[Mapping[str, Any]]
 
 
+# The packages of Debian, and a program or header of each.
+PROGRAMS = {"cmake": "cmake", "ninja-build": "ninja", "g++": "c++"}
+HEADERS = {
+    "pybind11-dev": "pybind11/pybind11.h",
+    "libasio-dev": "asio.hpp",
+    "libserialport-dev": "libserialport.h",
+    "libfmt-dev": "fmt/format.h",
+    "libkissfft-dev": "kissfft/kiss_fft.h",
+    "nlohmann-json3-dev": "nlohmann/json.hpp",
+}
+
+
 def _project() -> dict[str, Any]:
-    table: dict[str, Any] = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+    toml = importlib.import_module(
+        "tomllib" if sys.version_info >= (3, 11) else "pip._vendor.tomli"
+    )
+    table: dict[str, Any] = toml.loads((ROOT / "pyproject.toml").read_text())["project"]
     return table
+
+
+def missing_packages() -> list[str]:
+    """The packages of Debian that building needs and this system lacks."""
+    missing = [package for package, name in PROGRAMS.items() if shutil.which(name) is None]
+    if "g++" not in missing:
+        missing += [package for package, header in HEADERS.items() if not _has(header)]
+    if not Path(sysconfig.get_paths()["include"], "Python.h").exists():
+        missing.append("python3-dev")
+    return missing
+
+
+def _has(header: str) -> bool:
+    command = ["c++", "-x", "c++", "-E", "-o", os.devnull, "-"]
+    test = f'#if !__has_include("{header}")\n#error\n#endif\n'
+    done = subprocess.run(command, input=test, text=True, capture_output=True, check=False)
+    return done.returncode == 0
 
 
 def _version() -> str:
@@ -76,6 +110,8 @@ def _tag() -> str:
 
 def _compile() -> Path:
     """The folder of the built package."""
+    if missing := missing_packages():
+        raise SystemExit(f"sbgc: building needs packages: apt-get install {' '.join(missing)}")
     options = {
         "CMAKE_BUILD_TYPE": "MinSizeRel",
         "CMAKE_CXX_FLAGS": f"-ffunction-sections -fdata-sections -ffile-prefix-map={ROOT}=.",
@@ -123,6 +159,24 @@ def build_wheel(
     """Write the wheel, and return the name of its file."""
     package = _compile()
     files = {f"sbgc/{p.relative_to(package)}": p.read_bytes() for p in _files(package)}
+    return _write_wheel(wheel_directory, files)
+
+
+def build_editable(
+    wheel_directory: str, config_settings: Settings = None, metadata_directory: Optional[str] = None
+) -> str:
+    """Write a wheel that leads to the sources; the extension and new files need another one."""
+    folder = BUILD / "editable"
+    shutil.rmtree(folder, ignore_errors=True)
+    for built in _files(_compile()):
+        name = built.relative_to(BUILD / "python")
+        sources = [ROOT / "python" / name, ROOT / "generated" / "python" / name, built]
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).symlink_to(next(path for path in sources if path.exists()))
+    return _write_wheel(wheel_directory, {"sbgc.pth": f"{folder}\n".encode()})
+
+
+def _write_wheel(wheel_directory: str, files: dict[str, bytes]) -> str:
     info = f"{_name()}.dist-info"
     files.update({f"{info}/{name}": data for name, data in _information().items()})
     record = "".join(f"{name},{_hash(data)},{len(data)}\n" for name, data in sorted(files.items()))
@@ -170,4 +224,12 @@ def _add(archive: tarfile.TarFile, name: str, data: bytes) -> None:
     archive.addfile(entry, io.BytesIO(data))
 
 
-__all__ = ["build_sdist", "build_wheel", "prepare_metadata_for_build_wheel"]
+prepare_metadata_for_build_editable = prepare_metadata_for_build_wheel
+
+__all__ = [
+    "build_editable",
+    "build_sdist",
+    "build_wheel",
+    "prepare_metadata_for_build_editable",
+    "prepare_metadata_for_build_wheel",
+]

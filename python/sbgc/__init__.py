@@ -39,10 +39,12 @@ from sbgc.errors import (
     FieldError,
     GimbalDisconnected,
     GimbalError,
+    GimbalInterrupted,
+    GimbalSuperseded,
     GimbalTimeout,
 )
 from sbgc.link import Calibration, Identity, Move, SpeedControl
-from sbgc.message import Contexts, Message
+from sbgc.message import Contexts, Message, Request
 from sbgc.msg.protocol import Framing
 from sbgc.parameters import Profile, diff
 from sbgc.search import Found, Port, Usb, find, ports
@@ -80,6 +82,8 @@ __all__ = [
     "Gimbal",
     "GimbalDisconnected",
     "GimbalError",
+    "GimbalInterrupted",
+    "GimbalSuperseded",
     "GimbalTimeout",
     "Identity",
     "Message",
@@ -88,6 +92,7 @@ __all__ = [
     "ParserCounters",
     "Port",
     "Profile",
+    "Request",
     "ResponsePoint",
     "SpeedControl",
     "Stream",

@@ -20,6 +20,12 @@ class Direction(IntEnum):
     FROM_BOARD = 1
 
 
+def _is_from_board(direction: Direction) -> bool:
+    if not isinstance(direction, Direction):
+        raise TypeError(f"direction: a Direction is needed, not {direction!r}")
+    return direction == Direction.FROM_BOARD
+
+
 def encode(message: Message, framing: Framing = Framing.V1) -> bytes:
     """Return the frame of a message. Raises EncodeError."""
     return of_library(message).frame(framing)
@@ -36,8 +42,8 @@ def decode(
     contexts: Optional[Contexts] = None,
 ) -> Message:
     """Decode one frame, in any framing. Raises DecodeError."""
-    is_from_board = direction == Direction.FROM_BOARD
-    return wrap(_core.decode_frame(memoryview(frame), is_from_board, known_by(contexts)))
+    known = known_by(contexts)
+    return wrap(_core.decode_frame(memoryview(frame), _is_from_board(direction), known))
 
 
 def decode_body(
@@ -47,8 +53,8 @@ def decode_body(
     contexts: Optional[Contexts] = None,
 ) -> Message:
     """Decode the body of a frame with this command id. Raises DecodeError."""
-    is_from_board = direction == Direction.FROM_BOARD
-    return wrap(_core.decode_body(id, memoryview(body), is_from_board, known_by(contexts)))
+    known = known_by(contexts)
+    return wrap(_core.decode_body(id, memoryview(body), _is_from_board(direction), known))
 
 
 @dataclass(frozen=True)
@@ -143,4 +149,4 @@ def validate(message: Message, firmware: int = 0, board: int = 0) -> list[Violat
 def describe(message: Message) -> str:
     """Return the text of a message: its name, and every value with its meaning."""
     of_library(message)
-    return repr(message)
+    return str(message)

@@ -8,7 +8,6 @@ from typing import NamedTuple, Optional
 
 from sbgc import _core
 
-
 _SLICE = 1.0
 
 
@@ -26,6 +25,9 @@ class Board:
     def __init__(self, board: _core.Emulation) -> None:
         self._board = board
 
+    def __repr__(self) -> str:
+        return f"<sbgc.Board, emulated in {'virtual' if self.has_virtual_time else 'real'} time>"
+
     def __enter__(self) -> Board:
         return self
 
@@ -35,12 +37,12 @@ class Board:
     @property
     def angles(self) -> Angles:
         """The angles of the camera."""
-        return Angles(*self._board.angles())
+        return Angles(*self._board.sample()[0])
 
     @property
     def speeds(self) -> Angles:
         """The speeds of the camera."""
-        return Angles(*self._board.speeds())
+        return Angles(*self._board.sample()[1])
 
     @property
     def time(self) -> float:

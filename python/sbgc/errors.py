@@ -68,3 +68,11 @@ class GimbalTimeout(GimbalError, TimeoutError):
 
 class GimbalDisconnected(GimbalError, ConnectionError):
     """The line is closed, or was lost."""
+
+
+class GimbalSuperseded(GimbalError):
+    """A later command of this client has stopped the camera or moves it."""
+
+
+class GimbalInterrupted(GimbalError):
+    """Another program, RC or a limit has stopped the camera or moves it."""

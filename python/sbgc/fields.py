@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, MutableSequence
 from enum import Enum
 from itertools import islice
-from typing import Any, Generic, Protocol, SupportsIndex, TypeVar, Union, cast, overload
+from typing import Any, Generic, Optional, Protocol, SupportsIndex, TypeVar, Union, cast, overload
 
 from sbgc import _core
 from sbgc.errors import FieldError
@@ -84,7 +84,8 @@ class ValueOf:
         self._type = type_
 
     def read(self, message: _core.AnyMessage, path: str) -> Any:
-        return self._type(message.get(path, True))
+        value = message.get(path, True)
+        return None if value is None else self._type(value)
 
     def write(self, message: _core.AnyMessage, path: str, value: object) -> None:
         if isinstance(value, (Enum, Packed)) and not isinstance(value, self._type):
@@ -159,17 +160,47 @@ class ListOf:
             self._kind.write(message, f"{path}[{index}]", element)
 
 
+class _Doc:
+    """The text below an attribute in the source of its class, for help()."""
+
+    def __get__(self, field: Optional[Field[Any, Any]], owner: type) -> Optional[str]:
+        if field is None:
+            return "An attribute of a message or a structure."
+        import ast  # only for help()
+        import inspect
+
+        try:
+            (class_,) = ast.parse(inspect.getsource(field._owner)).body
+        except (OSError, SyntaxError):
+            return None
+        body = class_.body if isinstance(class_, ast.ClassDef) else []
+        for attribute, text in zip(body, body[1:]):
+            if not isinstance(attribute, ast.AnnAssign) or not isinstance(text, ast.Expr):
+                continue
+            is_it = (
+                isinstance(attribute.target, ast.Name) and attribute.target.id == field._attribute
+            )
+            if is_it and isinstance(text.value, ast.Constant):
+                return inspect.cleandoc(str(text.value.value))
+        return None
+
+
 class Field(Generic[Get, Set]):
-    """An attribute of a message or a structure."""
+    __doc__ = _Doc()  # type: ignore[assignment]
 
     def __init__(self, kind: Kind, optional: bool = False, of: str = "") -> None:
         self._kind = kind
+        self._read = kind.read
         self._optional = optional
+        # A single value is None if the message lacks it.
+        self._has_parts = optional and isinstance(kind, (GroupOf, AxesOf, ListOf))
         self._name = of
         self.is_second = bool(of)
 
     def __set_name__(self, owner: type, name: str) -> None:
         self._name = self._name or name
+        self._attribute = name
+        self._owner = owner
 
     @overload
     def __get__(self, place: None, owner: type) -> Field[Get, Set]:
@@ -182,13 +213,13 @@ class Field(Generic[Get, Set]):
     def __get__(self, place: Union[Structure, None], owner: type) -> Union[Field[Get, Set], Get]:
         if place is None:
             return self
-        path = place._path_of(self._name)
-        if self._optional and not place._message.has(path):
+        path = f"{place._path}.{self._name}" if place._path else self._name
+        if self._has_parts and not place._message.has(path):
             return cast(Get, None)
-        return cast(Get, self._kind.read(place._message, path))
+        return self._read(place._message, path)  # type: ignore[no-any-return]
 
     def __set__(self, place: Structure, value: Set) -> None:
-        changed = place._at(place._message.copy(), place._path)
+        changed = place.__copy__()
         self.write_to(changed, value)
         place._message.take(changed._message)
 
@@ -197,8 +228,17 @@ class Field(Generic[Get, Set]):
         path = place._path_of(self._name)
         if self._optional and value is None:
             place._message.remove(path)
-        else:
+            return
+        try:
             self._kind.write(place._message, path, value)
+        except (FieldError, TypeError) as error:
+            if not place._is_free or not place._path:
+                raise
+            # Its message is only a home: its name would mean nothing.
+            text = str(error).removeprefix(f"{place._path}.")
+            if isinstance(error, FieldError):
+                raise FieldError(text, error.field.removeprefix(f"{place._path}.")) from None
+            raise TypeError(text) from None
 
 
 class Structure:
@@ -207,25 +247,31 @@ class Structure:
     A new structure has a message of its own, `_home`.
     """
 
-    __slots__ = ("_message", "_path")
+    __slots__ = ("_message", "_path", "_is_free")
     _home: tuple[str, str]
     _message: _core.AnyMessage
     _path: str
+    _is_free: bool  # no part of a message
 
     def _start(self, **values: object) -> None:
         name, self._path = self._home
+        self._is_free = True
         self._message = _core.AnyMessage(name)
         if self._path:
             self._message.add(self._path)
         for field, value in values.items():
-            if value is not ...:
-                getattr(type(self), field).write_to(self, value)
+            if value is ...:
+                continue
+            if field.endswith("_raw") and values.get(field[:-4], ...) is not ...:
+                raise TypeError(f"{field[:-4]} and {field} are the same field: give one of them")
+            getattr(type(self), field).write_to(self, value)
 
     @classmethod
     def _at(cls: type[S], message: _core.AnyMessage, path: str) -> S:
         made = object.__new__(cls)
         made._message = message
         made._path = path
+        made._is_free = False
         return made
 
     def _path_of(self, field: str) -> str:
@@ -246,7 +292,9 @@ class Structure:
     __hash__ = None  # type: ignore[assignment]  # it can change
 
     def __copy__(self: S) -> S:
-        return self._at(self._message.copy(), self._path)
+        made = self._at(self._message.copy(), self._path)
+        made._is_free = self._is_free
+        return made
 
     def __deepcopy__(self: S, memo: object) -> S:
         return self.__copy__()
@@ -259,8 +307,23 @@ class Structure:
             self._path,
         )
 
-    def __repr__(self) -> str:
+    def __str__(self) -> str:
         return type(self).__name__ + self._message.text(self._path)
+
+    def __repr__(self) -> str:
+        said = (f"{name}={value!r}" for name, value in self._arguments())
+        return f"{type(self).__name__}({', '.join(said)})"
+
+    def _arguments(self) -> Iterator[tuple[str, Any]]:
+        """The arguments that make it, without those that would change nothing."""
+        for class_ in reversed(type(self).__mro__):
+            for name, field in vars(class_).items():
+                if not isinstance(field, Field) or name.endswith("_raw"):
+                    continue
+                value = getattr(self, name)
+                is_unused = isinstance(value, bytes) and not any(value)
+                if value is not None and not is_unused:
+                    yield name, value
 
 
 def _restore(type_: type[S], name: str, json: str, path: str) -> S:
@@ -332,10 +395,14 @@ class _ByAxis(Generic[T]):
     def __reduce__(self) -> tuple[Any, ...]:
         return type(self), tuple(self)
 
+    def __str__(self) -> str:
+        if self._message is None:
+            return repr(self)
+        return type(self).__name__ + self._message.text(self._path)
+
     def __repr__(self) -> str:
-        if self._message is not None:
-            return type(self).__name__ + self._message.text(self._path)
-        said = (f"{name}={value!r}" for name, value in self._values.items() if value is not ...)
+        values = ((name, getattr(self, name)) for name in self.names)
+        said = (f"{name}={value!r}" for name, value in values if value is not ...)
         return f"{type(self).__name__}({', '.join(said)})"
 
 

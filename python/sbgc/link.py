@@ -3,20 +3,25 @@
 from __future__ import annotations
 
 import atexit
+import logging
 import os
+import warnings
 import weakref
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
+from difflib import get_close_matches
 from numbers import Real
-from typing import Any, Literal, Optional, TypeVar, Union
+from typing import TYPE_CHECKING, Any, Literal, Optional, TypeVar, Union
 
-from sbgc import _core
+from sbgc import _core, msg
 from sbgc.emulator import Angles, Board
-from sbgc.errors import GimbalError, GimbalTimeout
-from sbgc.message import Message, wrap
+from sbgc.errors import GimbalDisconnected, GimbalError, GimbalTimeout
+from sbgc.fields import limited
+from sbgc.message import Message, Request, wrap
 from sbgc.msg import BoardInfo, BoardInfo3, CalibInfo, RunScript, ScriptMode
 
 M = TypeVar("M", bound=Message)
+T = TypeVar("T")
 Path = Union[str, "os.PathLike[str]"]
 Bytes = Union[bytes, bytearray, memoryview]
 # Called with what is done, the total, and the next step.
@@ -26,6 +31,9 @@ CalibrationEnd = Literal["finished", "accepted"]
 
 # How long a camera that has to stop may take.
 STOP = 1.0
+
+LOGGER = logging.getLogger("sbgc")
+LOGGER.addHandler(logging.NullHandler())
 
 
 @dataclass(frozen=True)
@@ -97,26 +105,36 @@ def name_of(message: type[Message]) -> str:
     return message.__name__
 
 
-def pairs_of(values: Mapping[str, float]) -> list[tuple[str, float]]:
+def names_of(names: Iterable[str]) -> list[str]:
+    if isinstance(names, str) or not isinstance(names, Iterable):
+        raise TypeError(f"names: a list of texts is needed, not {names!r}")
+    return limited(names)
+
+
+def dict_of(values: Mapping[str, float]) -> dict[str, float]:
     if not isinstance(values, Mapping):
         raise TypeError(f"values: a dict of names and numbers is needed, not {values!r}")
-    return list(values.items())
+    return dict(values)
 
 
-def out_of_time(timeout: Optional[float]) -> GimbalTimeout:
+def out_of_time(timeout: float) -> GimbalTimeout:
     return GimbalTimeout(f"it took more than {timeout:g} s", "timeout", 0)
 
 
-def no_sample(timeout: Optional[float]) -> TimeoutError:
-    return TimeoutError(f"no sample for {timeout:g} seconds")
+def no_sample(timeout: float) -> GimbalTimeout:
+    return GimbalTimeout(f"no sample for {timeout:g} seconds", "timeout", 0)
 
 
-def target_of(place: Union[str, Board]) -> Union[str, _core.Emulation]:
+def closed() -> GimbalDisconnected:
+    return GimbalDisconnected("the client has been closed", "not_connected", 0)
+
+
+def target_of(place: Union[Path, Board]) -> Union[str, _core.Emulation]:
     if isinstance(place, Board):
         return place._board
-    if not isinstance(place, str):
+    if not isinstance(place, (str, os.PathLike)):
         raise TypeError(f"place: an address or an emulated board is needed, not {place!r}")
-    return place
+    return os.fspath(place)
 
 
 class SpeedControl:
@@ -126,8 +144,13 @@ class SpeedControl:
         self._held = held
 
     def set(self, *, roll: float = 0.0, pitch: float = 0.0, yaw: float = 0.0) -> None:
-        """Turn with these speeds in degrees per second. Axes without one hold still."""
-        require_numbers(roll=roll, pitch=pitch, yaw=yaw)
+        """Turn with these speeds in degrees per second. Axes without one hold still.
+
+        If the camera has stopped because nothing was called for the time of `silence`, it turns
+        again, and a RuntimeWarning tells. If another command of this client has stopped or moved it,
+        this raises GimbalSuperseded, once.
+        """
+        self._held.warn_of_silence(2)
         self._held.set(roll, pitch, yaw)
 
     def refresh(self) -> None:
@@ -142,9 +165,50 @@ class SpeedControl:
 class Link:
     """What the blocking and the asynchronous client have in common."""
 
+    _is_closed = True  # until there is a client
+
     def __init__(self) -> None:
         self._link = _core.Link()
+        self._is_closed = False
         _open.add(self)
+
+    def __repr__(self) -> str:
+        name = f"{type(self).__module__}.{type(self).__qualname__}"
+        if self._is_closed:
+            return f"<{name}, closed>"
+        if self._link.is_forked():
+            return f"<{name} of another process>"
+        state = "" if self._link.is_connected() else ", not connected"
+        return f"<{name} of {self._link.description()}{state}>"
+
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> object:
+            text = f"'{type(self).__name__}' object has no attribute '{name}'{self._hint(name)}"
+            raise AttributeError(text)
+
+    def _hint(self, name: str) -> str:
+        """What somebody who writes this name is looking for."""
+        public = [one for one in dir(type(self)) if not one.startswith("_")]
+        verb, _, rest = name.partition("_")
+        if verb in ("get", "read") and rest in public:
+            return f"; it has {rest}"
+        if name.startswith("_"):
+            return ""
+        words = name.replace("_", "").lower()
+        requests = [one for one in vars(msg).values() if isinstance(one, type)]
+        for request in requests:
+            if issubclass(request, Request) and request.__name__.lower() in (
+                words,
+                f"{words}request",
+            ):
+                return f"; there is the request call(msg.{request.__name__}())"
+        near = get_close_matches(name, public)
+        return f"; it has {', '.join(near)}" if near else ""
+
+    def __del__(self) -> None:
+        if not self._is_closed and not self._link.is_forked():
+            warnings.warn(f"{self!r} was not closed", ResourceWarning, source=self)
 
     @property
     def identity(self) -> Identity:
@@ -154,13 +218,18 @@ class Link:
         return Identity(board, firmware, serial_number, _as(BoardInfo, info), more, problem)
 
     @property
+    def firmware(self) -> str:
+        """The version of the firmware, such as "2.59"."""
+        return self.identity.firmware
+
+    @property
     def description(self) -> str:
         """The line: "serial port /dev/ttyUSB0, 115200 8N1"."""
         return self._link.description()
 
     @property
     def is_connected(self) -> bool:
-        """False while the line is lost; see the argument `reconnect` of connect()."""
+        """False while the line is lost, and after close()."""
         return self._link.is_connected()
 
     @property
@@ -191,15 +260,26 @@ class Link:
             raise ValueError(f"address: {address} is not in the EEPROM, which has {size} bytes")
         return size - address
 
+    def _result(self, operation: _core.Operation[T]) -> T:
+        self._log()
+        try:
+            return operation.result()
+        except GimbalError as error:
+            if error.code == "cancelled" and self._is_closed:
+                raise closed() from None
+            raise
+
+    def _log(self) -> None:
+        """Log what has happened to the connection: no thread of the client runs Python."""
+        for kind, text in self._link.take_events():
+            level = logging.INFO if kind in ("connected", "closed") else logging.WARNING
+            LOGGER.log(level, "%s: %s", kind, text)
+
     def _wake(self) -> None:
         """Let what waits ask again; a blocking client does so by itself."""
 
-    def close(self) -> None:
-        """Stop a camera that a call moves, end all calls, and close the line."""
-        self._link.close()
 
-
-_open: weakref.WeakSet[Link] = weakref.WeakSet()
+_open: weakref.WeakSet[Any] = weakref.WeakSet()
 
 
 @atexit.register

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Optional, TypeVar, Union
+from typing import Generic, Optional, TypeVar, Union
 
 from sbgc import _core
 from sbgc.fields import TAIL, Field, Structure
 
 M = TypeVar("M", bound="Message")
+R = TypeVar("R", covariant=True)
 
 _types: dict[str, type[Message]] = {}
 
@@ -19,6 +20,7 @@ class Message(Structure):
     tail: Field[bytes, Union[bytes, bytearray, memoryview]] = Field(TAIL)
 
     def __init_subclass__(cls) -> None:
+        super().__init_subclass__()
         cls._home = (cls.__name__, "")
         _types[cls.__name__] = cls
 
@@ -41,6 +43,12 @@ class Message(Structure):
         message = _core.AnyMessage(cls.__name__)
         message.read_json(text)
         return cls._at(message, "")
+
+
+class Request(Message, Generic[R]):
+    """A message to the board, for whose answer R a call waits."""
+
+    __slots__ = ()
 
 
 class Contexts:

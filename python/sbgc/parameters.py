@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections import Counter
+from collections.abc import Iterator, Mapping
+from difflib import get_close_matches
 
 from sbgc import _core
 from sbgc.message import Message, wrap
 
 
-class Profile:
+class Profile(Mapping[str, object]):
     """The parameters of a profile, and those of the whole board.
 
-    A name is the path of a field, or its end if only one field has it: "pitch.p". A value is a number
-    in the unit of the field, or a text as people write it: "20deg", "FOLLOW_MODE_FC". It is set in a
-    block of edit_profile().
+    A name is the path of a field, or its end if only one field has it: "pitch.p". The name of a
+    message may precede it. A value is a number in the unit of the field, or a text as people write it:
+    "20deg", "FOLLOW_MODE_FC"; an enum or flags are read as such a text. It is set in a block of
+    edit_profile().
     """
 
     def __init__(self, blocks: _core.Blocks) -> None:
@@ -21,6 +24,10 @@ class Profile:
         self._will_be_written = False
 
     def _find(self, name: str) -> tuple[_core.AnyMessage, str]:
+        of, _, rest = name.partition(".")
+        for _, _, message in self._blocks:
+            if message.name == of and rest in message.paths():
+                return message, rest
         found = [(message, path) for _, _, message in self._blocks for path in message.find(name)]
         exact = [(message, path) for message, path in found if path == name]
         if len(exact) == 1:
@@ -28,19 +35,34 @@ class Profile:
         if len(found) == 1:
             return found[0]
         if not found:
-            raise KeyError(f"no parameter of this board is called '{name}'")
+            near = get_close_matches(name, self)
+            hint = f"; near it: {', '.join(near)}" if near else ""
+            raise KeyError(f"no parameter of this board is called '{name}'{hint}")
         paths = ", ".join(f"{path} of {message.name}" for message, path in found)
         raise KeyError(f"'{name}' is the name of several parameters: {paths}")
 
     def __getitem__(self, name: str) -> object:
         message, path = self._find(name)
-        return message.get(path)
+        return message.said(path)
 
     def __setitem__(self, name: str, value: object) -> None:
         if not self._will_be_written:
             raise RuntimeError(f"{name}: it is set only in a block of edit_profile()")
         message, path = self._find(name)
         message.put(path, value)
+
+    def __iter__(self) -> Iterator[str]:
+        """The paths of all parameters; after the name of their message if several have the same."""
+        count = Counter(path for _, _, message in self._blocks for path in message.paths())
+        for _, _, message in self._blocks:
+            for path in message.paths():
+                yield path if count[path] == 1 else f"{message.name}.{path}"
+
+    def __len__(self) -> int:
+        return sum(len(message.paths()) for _, _, message in self._blocks)
+
+    def __repr__(self) -> str:
+        return f"<sbgc.Profile, {len(self)} parameters>"
 
     @property
     def messages(self) -> Iterator[Message]:

@@ -11,7 +11,7 @@ from sbgc import _core
 from sbgc.client import connect
 from sbgc.emulator import Board
 from sbgc.errors import GimbalError
-from sbgc.link import Identity
+from sbgc.link import Identity, Path, seconds_of
 
 # Each is opened at the same time.
 _MOST_PORTS = 128
@@ -41,7 +41,7 @@ class Port:
 class Found:
     """A gimbal, and where connect() reaches it."""
 
-    place: Union[str, Board]
+    place: Union[Path, Board]
     identity: Identity
 
 
@@ -54,12 +54,15 @@ def ports() -> list[Port]:
 
 
 def find(
-    places: Optional[Iterable[Union[str, Board]]] = None, *, timeout: float = 5.0
+    places: Optional[Iterable[Union[Path, Board]]] = None, *, timeout: float = 5.0
 ) -> list[Found]:
     """The gimbals that answer at these places, or at all serial ports of this machine.
 
     If there are USB adapters, only these are asked, as by the command.
     """
+    if isinstance(places, (str, Board)) or not isinstance(places, (Iterable, type(None))):
+        raise TypeError(f"places: a list of addresses or boards is needed, not {places!r}")
+    seconds_of(timeout)  # raises if it is none
     asked = searched() if places is None else list(places)
     if not asked:
         return []
@@ -67,14 +70,14 @@ def find(
         return [found for found in pool.map(lambda place: _ask(place, timeout), asked) if found]
 
 
-def searched() -> list[Union[str, Board]]:
+def searched() -> list[Union[Path, Board]]:
     """The names of the ports where a gimbal is likely."""
     all_ports = ports()
     adapters = [port for port in all_ports if port.usb is not None]
     return [port.name for port in adapters or all_ports]
 
 
-def _ask(place: Union[str, Board], timeout: float) -> Optional[Found]:
+def _ask(place: Union[Path, Board], timeout: float) -> Optional[Found]:
     try:
         with connect(place, timeout=timeout) as gimbal:
             return Found(place, gimbal.identity)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from enum import IntEnum
+from enum import EnumMeta, IntEnum, IntFlag
 from typing import Any, Generic, TypeVar, Union, overload
 
 from sbgc import _core
@@ -28,6 +28,61 @@ class OpenEnum(IntEnum):
     def __reduce_ex__(self, protocol: object) -> Any:
         return type(self), (self._value_,)
 
+    def __repr__(self) -> str:
+        name = type(self).__name__
+        is_known = self._name_ in type(self).__members__
+        return f"{name}.{self._name_}" if is_known else f"{name}({self._value_})"
+
+
+class _FlagType(EnumMeta):
+    """Flags with `~` of their own: EnumMeta replaces that of a base class."""
+
+    def __new__(metacls, *arguments: Any, **options: Any) -> Any:
+        made: Any = super().__new__(metacls, *arguments, **options)
+        setattr(made, "__invert__", lambda flags: made(~int(flags) & ((1 << made._width()) - 1)))
+        return made
+
+
+class OpenFlags(IntFlag, metaclass=_FlagType):
+    """A set of flags of the protocol. It keeps bits without a name, also in `flags & ~FLAG`."""
+
+    def __repr__(self) -> str:
+        """Names joined by "|", and the bits without one as a number."""
+        name, rest, said = type(self).__name__, int(self), []
+        for flag, member in type(self).__members__.items():
+            if int(member) and rest & int(member) == int(member):
+                said.append(f"{name}.{flag}")
+                rest &= ~int(member)
+        return " | ".join([*said, *([f"{name}({rest:#x})"] if rest or not said else [])])
+
+    @classmethod
+    def _width(cls) -> int:
+        raise NotImplementedError
+
+
+class Flags8(OpenFlags):
+    """Flags of one byte."""
+
+    @classmethod
+    def _width(cls) -> int:
+        return 8
+
+
+class Flags16(OpenFlags):
+    """Flags of two bytes."""
+
+    @classmethod
+    def _width(cls) -> int:
+        return 16
+
+
+class Flags32(OpenFlags):
+    """Flags of four bytes."""
+
+    @classmethod
+    def _width(cls) -> int:
+        return 32
+
 
 class Packed(int):
     """An integer of the wire with several parts, such as a version. No bit of it is lost.
@@ -50,7 +105,7 @@ class Packed(int):
         return _core.packed_text(type(self).__name__, int(self)) or int.__repr__(self)
 
     def __repr__(self) -> str:
-        return f"<{type(self).__name__} {int(self):#x}: {self}>"
+        return f"{type(self).__name__}({int(self)})"
 
 
 class Part(Generic[T]):

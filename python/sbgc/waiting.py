@@ -7,7 +7,7 @@ from collections.abc import Callable
 from typing import Any, Optional, TypeVar
 
 from sbgc import _core
-from sbgc.link import STOP, Link, out_of_time, seconds_of
+from sbgc.link import STOP, Link, SpeedControl, out_of_time, seconds_of
 
 T = TypeVar("T")
 
@@ -20,22 +20,57 @@ class Waiting(Link):
         """Wait until the board is connected again; see the argument `reconnect` of connect()."""
         until = time.monotonic() + seconds_of(timeout)
         while not self.is_connected:
+            self._link.require()  # raises if it is closed
             if time.monotonic() > until:
                 raise out_of_time(timeout)
             time.sleep(_SLICE)
+        self._log()
+
+    def close(self) -> None:
+        """Stop a camera that a call moves, end all calls, and close the line."""
+        self._is_closed = True
+        self._link.close(STOP)
+        self._log()
 
     def _wait(
         self,
         ask: Callable[[float], Optional[T]],
         timeout: Optional[float],
-        problem: Callable[[Optional[float]], Exception] = out_of_time,
+        problem: Callable[[float], Exception] = out_of_time,
     ) -> T:
         """Ask, for so many seconds each time, until the answer is true."""
-        until = self._link.now() + seconds_of(timeout)
+        seconds = seconds_of(timeout)
+        until = self._link.now() + seconds
         while not (found := ask(_SLICE)):
             if self._link.now() > until:
-                raise problem(timeout)
+                raise problem(seconds)
         return found
 
-    def _let_stop(self, operation: _core.Operation[Any]) -> None:
-        operation.wait(STOP)
+    def _end(self, operation: _core.Operation[Any]) -> None:
+        """Cancel an operation, and wait until it is over."""
+        operation.cancel()
+        if operation.is_running():
+            operation.wait(STOP)
+
+    def _pause(self, seconds: float) -> None:
+        self._link.pause(seconds)
+
+    def _require_loop(self) -> None:
+        """An asynchronous client belongs to a loop."""
+
+
+class SpeedBlock:
+    """The block of a SpeedControl, at whose end the camera stops."""
+
+    def __init__(self, gimbal: Waiting, silence: float) -> None:
+        self._held = _core.HeldSpeed(gimbal._link, silence)
+        self._control = SpeedControl(self._held)
+        # Not a function of Python, before which Ctrl-C could end the block.
+        self._exit = self._held.exit
+
+    def __enter__(self) -> SpeedControl:
+        return self._control
+
+    @property
+    def __exit__(self) -> Callable[..., None]:
+        return self._exit

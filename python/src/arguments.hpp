@@ -1,12 +1,17 @@
-/// Arguments of Python as values of the client.
+/// Arguments of Python as values of the client. What is wrong is an error with the name of the
+/// argument, its value and the limit.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
+#include <type_traits>
+#include <vector>
 
 #include <sbgc/units.hpp>
 
@@ -14,30 +19,113 @@
 
 namespace sbgc::python {
 
-using Seconds = double;
+// These raise a TypeError or a ValueError: "pitch: a number is needed, not 'up'".
 
-inline std::chrono::milliseconds milliseconds_of(Seconds seconds, const char* what) {
-  if (!(seconds >= 0 && seconds <= 1e6)) {
-    throw py::value_error(std::string(what) + ": 0 to 1000000 seconds are possible");
+double number_of(py::handle value, const char* name);
+double number_in(double value, const char* name, double lowest, double highest);
+std::int64_t integer_of(py::handle value, const char* name, std::int64_t lowest,
+                        std::int64_t highest);
+std::string string_of(py::handle value, const char* name);
+/// The text of a file's name, also of a pathlib.Path.
+std::string path_of(py::handle value, const char* name);
+bool flag_of(py::handle value, const char* name);
+std::vector<std::string> texts_of(py::handle value, const char* name);
+std::vector<std::uint8_t> memory_of(py::handle value, const char* name);
+
+/// The name of an argument, as an argument of a template.
+template <std::size_t size>
+struct Name {
+  // NOLINTNEXTLINE(google-explicit-constructor): a literal is one
+  constexpr Name(const char (&text)[size]) { std::copy_n(text, size, characters); }
+  char characters[size]{};
+};
+
+/// A parameter of a function that Python calls. T has a function of(value, name).
+template <class T, Name name>
+struct Argument {
+  typename T::Value value{};
+
+  // NOLINTNEXTLINE(google-explicit-constructor): it is the value
+  operator const typename T::Value &() const { return value; }
+  const auto& operator*() const { return value; }
+};
+
+struct NumberArgument {
+  using Value = double;
+  static Value of(py::handle value, const char* name) { return number_of(value, name); }
+};
+struct SecondsArgument {
+  using Value = std::chrono::milliseconds;
+  static Value of(py::handle value, const char* name) {
+    const double seconds = number_in(number_of(value, name), name, 0, 1e6);
+    return std::chrono::milliseconds(std::llround(seconds * 1000));
   }
-  return std::chrono::milliseconds(std::llround(seconds * 1000));
-}
-
-inline std::optional<std::chrono::milliseconds> timeout_of(std::optional<Seconds> seconds) {
-  if (!seconds) return std::nullopt;
-  return milliseconds_of(*seconds, "timeout");
-}
-
-/// Raises if the integer does not fit into a T.
+};
 template <class T>
-T integer_of(std::int64_t value, const char* what) {
-  constexpr T highest = std::numeric_limits<T>::max();
-  if (value < 0 || static_cast<std::uint64_t>(value) > highest) {
-    throw py::value_error(std::string(what) + ": 0 to " + std::to_string(highest) +
-                          " are possible, not " + std::to_string(value));
+struct IntegerArgument {
+  using Value = T;
+  static Value of(py::handle value, const char* name) {
+    using Limits = std::numeric_limits<T>;
+    constexpr auto highest = static_cast<std::uint64_t>(Limits::max());
+    constexpr std::uint64_t most = std::numeric_limits<std::int64_t>::max();
+    return static_cast<T>(
+        integer_of(value, name, Limits::min(), static_cast<std::int64_t>(std::min(highest, most))));
   }
-  return static_cast<T>(value);
-}
+};
+struct TextArgument {
+  using Value = std::string;
+  static Value of(py::handle value, const char* name) { return string_of(value, name); }
+};
+struct PathArgument {
+  using Value = std::string;
+  static Value of(py::handle value, const char* name) { return path_of(value, name); }
+};
+struct TextsArgument {
+  using Value = std::vector<std::string>;
+  static Value of(py::handle value, const char* name) { return texts_of(value, name); }
+};
+struct FlagArgument {
+  using Value = bool;
+  static Value of(py::handle value, const char* name) { return flag_of(value, name); }
+};
+struct MemoryArgument {
+  using Value = std::vector<std::uint8_t>;
+  static Value of(py::handle value, const char* name) { return memory_of(value, name); }
+};
+/// None is possible, too.
+template <class T>
+struct OptionalArgument {
+  using Value = std::optional<typename T::Value>;
+  static Value of(py::handle value, const char* name) {
+    if (value.is_none()) return std::nullopt;
+    return T::of(value, name);
+  }
+};
+
+template <Name name>
+using Float = Argument<NumberArgument, name>;
+template <Name name>
+using OptionalFloat = Argument<OptionalArgument<NumberArgument>, name>;
+template <Name name>
+using Seconds = Argument<SecondsArgument, name>;
+template <Name name>
+using OptionalSeconds = Argument<OptionalArgument<SecondsArgument>, name>;
+template <class T, Name name>
+using Integer = Argument<IntegerArgument<T>, name>;
+template <class T, Name name>
+using OptionalInteger = Argument<OptionalArgument<IntegerArgument<T>>, name>;
+template <Name name>
+using Text = Argument<TextArgument, name>;
+template <Name name>
+using Path = Argument<PathArgument, name>;
+template <Name name>
+using OptionalPath = Argument<OptionalArgument<PathArgument>, name>;
+template <Name name>
+using Texts = Argument<TextsArgument, name>;
+template <Name name>
+using Flag = Argument<FlagArgument, name>;
+template <Name name>
+using Memory = Argument<MemoryArgument, name>;
 
 /// Raises if the quantity cannot hold the value.
 template <class Q>
@@ -55,3 +143,19 @@ Q quantity_of(double value, const char* field) {
 }
 
 }  // namespace sbgc::python
+
+namespace pybind11::detail {
+
+template <class T, sbgc::python::Name called>
+struct type_caster<sbgc::python::Argument<T, called>> {
+  using Type = sbgc::python::Argument<T, called>;
+  PYBIND11_TYPE_CASTER(Type, const_name("object"));
+
+  /// Raises instead of returning false, for which pybind11 would list the types of C++.
+  bool load(handle given, bool) {
+    value.value = T::of(given, called.characters);
+    return true;
+  }
+};
+
+}  // namespace pybind11::detail

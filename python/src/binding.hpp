@@ -63,6 +63,13 @@ inline py::object to_text(std::string_view text) {
       PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "surrogateescape"));
 }
 
+/// Raises if there is no framing with this number.
+inline Framing framing_at(unsigned number) {
+  if (number < framings.size()) return framings.at(number);
+  throw py::value_error("framing: 0 to " + std::to_string(framings.size() - 1) +
+                        " are possible, not " + std::to_string(number));
+}
+
 /// Returns a message of the library as one whose type is known at run time.
 template <class M>
 AnyMessage any_of(const M& message) {

@@ -7,7 +7,7 @@
 #include <sbgc/parser.hpp>
 #include <sbgc/surplus.hpp>
 
-#include "binding.hpp"
+#include "arguments.hpp"
 
 namespace sbgc::python {
 
@@ -72,10 +72,8 @@ AnyMessage decode_frame(const py::buffer& object, bool from_board, const Context
 /// The frames of a stream in one framing, or in all.
 class StreamParser {
  public:
-  explicit StreamParser(std::optional<unsigned> framing) {
-    if (!framing) return;
-    if (*framing >= framings.size()) throw py::value_error("there is no such framing");
-    parser_.formats().accept_only(framings.at(*framing));
+  explicit StreamParser(OptionalInteger<unsigned, "framing"> framing) {
+    if (*framing) parser_.formats().accept_only(framing_at(**framing));
   }
 
   py::list feed(const py::buffer& chunk) {
@@ -103,16 +101,15 @@ void bind_codec(py::module_& module) {
   py::class_<Contexts>(module, "Contexts")
       .def(py::init<>())
       .def("learn", [](Contexts& contexts, const AnyMessage& message) { message.teach(contexts); });
-  module.def("decode_body",
-             [](unsigned id, const py::buffer& body, bool from_board, const Contexts* contexts) {
-               return with_bytes(body, [&](Bytes bytes) {
-                 if (id > 255) throw py::value_error("a command id is 1 to 255");
-                 if (bytes.size() > max_body_size) {
-                   raise_status("DecodeError", "command " + std::to_string(id), {Code::too_long});
-                 }
-                 return decode_body(static_cast<std::uint8_t>(id), bytes, from_board, contexts);
-               });
-             });
+  module.def("decode_body", [](Integer<std::uint8_t, "id"> id, const py::buffer& body,
+                               bool from_board, const Contexts* contexts) {
+    return with_bytes(body, [&](Bytes bytes) {
+      if (bytes.size() > max_body_size) {
+        raise_status("DecodeError", "command " + std::to_string(*id), {Code::too_long});
+      }
+      return decode_body(id, bytes, from_board, contexts);
+    });
+  });
   module.def("decode_frame", &decode_frame);
 
   py::class_<OwnFrame>(module, "Frame")
@@ -121,7 +118,7 @@ void bind_codec(py::module_& module) {
       .def_readonly("offset", &OwnFrame::offset)
       .def_readonly("framing", &OwnFrame::framing);
   py::class_<StreamParser>(module, "StreamParser")
-      .def(py::init<std::optional<unsigned>>())
+      .def(py::init<OptionalInteger<unsigned, "framing">>())
       .def("feed", &StreamParser::feed)
       .def("flush", &StreamParser::flush)
       .def_property_readonly("waiting", &StreamParser::waiting)

@@ -38,7 +38,16 @@ class Emulation : public std::enable_shared_from_this<Emulation> {
     if (thread_.joinable()) thread_.join();
     for (const auto& host : hosts_) host->close();
   }
+  /// A forked child, which has no thread of it, leaves its memory alone.
+  static std::shared_ptr<Emulation> make(const emulator::EmulatorOptions& options,
+                                         bool has_virtual_time) {
+    return {new Emulation(options, has_virtual_time), [](const Emulation* one) {
+              if (!one->process_.is_forked()) delete one;
+            }};
+  }
+  void require_this_process() const { process_.require("the emulated board"); }
 
+  bool has_virtual_time() const noexcept { return time_ != nullptr; }
   /// Its virtual time, which keeps the board; null if it is in real time.
   std::shared_ptr<io::detail::VirtualTime> time() {
     if (time_ == nullptr) return nullptr;
@@ -91,6 +100,7 @@ class Emulation : public std::enable_shared_from_this<Emulation> {
   }
 
  private:
+  Process process_{};
   asio::io_context context_{1};
   asio::executor_work_guard<asio::io_context::executor_type> work_{context_.get_executor()};
   io::detail::VirtualTime* time_;  // of the context

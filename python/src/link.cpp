@@ -1,11 +1,11 @@
 #include "link.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
 #include <asio/bind_executor.hpp>
 #include <sys/eventfd.h>
-#include <unistd.h>
 
 namespace sbgc::python {
 
@@ -23,14 +23,27 @@ void Bell::drain() const noexcept {
 }
 
 void raise_client(const ClientError& error) {
-  const bool is_lost = error.code == ErrorCode::link_lost || error.code == ErrorCode::not_connected;
-  raise(error.code == ErrorCode::timeout ? "GimbalTimeout"
-        : is_lost                        ? "GimbalDisconnected"
-                                         : "GimbalError",
-        error.message, name(error.code), error.detail);
+  const char* const type = [&] {
+    switch (error.code) {
+      case ErrorCode::timeout: return "GimbalTimeout";
+      case ErrorCode::link_lost:
+      case ErrorCode::not_connected: return "GimbalDisconnected";
+      case ErrorCode::superseded: return "GimbalSuperseded";
+      case ErrorCode::interrupted: return "GimbalInterrupted";
+      default: return "GimbalError";
+    }
+  }();
+  raise(type, error.message, name(error.code), error.detail);
 }
 
-Link::Link() : process_(getpid()), state_(std::make_unique<State>()) {
+namespace {
+
+/// A camera stops within this time, unless the line is lost.
+constexpr Duration patience = seconds(1);
+
+}  // namespace
+
+Link::Link() : state_(std::make_unique<State>()) {
   state_->thread = std::thread([&context = state_->context] { context.run(); });
 }
 
@@ -39,56 +52,75 @@ Link::~Link() {
     static_cast<void>(state_.release());
     return;
   }
-  close();
-  state_->client.reset();
-  state_->work.reset();  // what still runs ends soon, because the line is closed
-  state_->thread.join();
+  const auto end = [&] {
+    close(now() + patience);
+    state_->client.reset();
+    state_->work.reset();  // what still runs ends soon, because the line is closed
+    state_->thread.join();
+    return true;
+  };
+  // Other threads of Python run meanwhile; at the end of the interpreter, there are none.
+  if (PyGILState_Check() == 0 || Py_IsInitialized() == 0) {
+    end();
+  } else {
+    released(end);
+  }
 }
 
 std::shared_ptr<Operation> Link::connect(const std::string& address, const TransportFactory& make,
                                          const ConnectOptions& options, bool reconnects) {
   auto operation = std::make_shared<Operation>(state_->bell);
   State& state = *state_;
-  state.client = std::make_unique<AsyncClient>(state.executor());
-  operation->set_cancel([&client = *state.client] { client.close(); });
-  add(operation);
-  const auto connected = [&state, operation](const Result<void>& result) {
-    {
-      const std::scoped_lock lock(state.mutex);
-      state.is_connected = result && !state.is_closed;
-      if (state.is_connected) {
-        state.changes = state.client->on_change([bell = state.bell](const auto&) { bell->ring(); });
-      }
-    }
-    operation->end([result] { return to_python(result); });
-  };
-  const auto begin = [&](const auto& chosen) {
-    // Virtual time does not pass until the board is found.
-    auto token = asio::bind_executor(state.context, connected);
-    if (make) return state.client->async_connect_over(make, chosen, token);
-    state.client->async_connect(address, chosen, token);
-  };
-  if (reconnects) {
-    begin(ReconnectOptions{.connection = options});
-  } else {
-    begin(options);
-  }
+  operation->set_begin(
+      [this, &state, address, make, options, reconnects](const std::shared_ptr<Operation>& one) {
+        state.client = std::make_unique<AsyncClient>(state.executor());
+        one->set_cancel([&client = *state.client] { client.close(); });
+        add(one);
+        const auto connected = [&state, one](const Result<void>& result) {
+          {
+            const std::scoped_lock lock(state.mutex);
+            state.is_connected = result && !state.is_closed;
+          }
+          if (state.is_connected) {
+            state.changes = state.client->on_change([&state](const LinkChange& change) {
+              state.happened(name(change.state), change.message);
+            });
+            state.notices = state.client->on_notice(
+                [&state](const Notice& notice) { state.happened("notice", notice.message); });
+            state.happened("connected", state.client->description());
+          }
+          one->end([result] { return to_python(result); });
+        };
+        const auto begin = [&](const auto& chosen) {
+          // Virtual time does not pass until the board is found.
+          auto token = asio::bind_executor(state.context, connected);
+          if (make) return state.client->async_connect_over(make, chosen, token);
+          state.client->async_connect(address, chosen, token);
+        };
+        if (reconnects) {
+          begin(ReconnectOptions{.connection = options});
+        } else {
+          begin(options);
+        }
+      });
   return operation;
 }
 
-bool Link::is_forked() const noexcept { return process_ != getpid(); }
-
 AsyncClient& Link::client() const {
-  if (is_forked()) {
-    raise_client({ErrorCode::invalid, "the client belongs to the process that forked this one"});
-  }
+  require_this_process();
   if (!state_->is_connected) {
-    raise_client({ErrorCode::not_connected, "the client is not connected"});
+    raise_client({ErrorCode::not_connected, state_->is_closed ? "the client has been closed"
+                                                              : "the client is not connected"});
   }
   return *state_->client;
 }
 
-std::shared_ptr<Operation> Link::begin() {
+bool Link::is_connected() const {
+  require_this_process();
+  return state_->is_connected && state_->client->is_connected();
+}
+
+std::shared_ptr<Operation> Link::make_operation() {
   static_cast<void>(client());
   return std::make_shared<Operation>(state_->bell, state_->time);
 }
@@ -99,20 +131,36 @@ void Link::add(const std::shared_ptr<Operation>& operation) {
   state_->running.push_back(operation);
 }
 
-void Link::close() {
+void Link::begin_close() {
   if (is_forked()) return;
-  // A camera stops within this time, unless the line is lost.
-  constexpr Duration patience = seconds(1);
   std::vector<std::weak_ptr<Operation>> running;
   {
     const std::scoped_lock lock(state_->mutex);
     state_->is_connected = false;
     state_->is_closed = true;
-    running.swap(state_->running);
+    running = state_->running;
   }
-  const Instant until = now() + patience;
   for (const auto& weak : running) {
     if (const auto operation = weak.lock()) operation->cancel();
+  }
+}
+
+bool Link::is_still() const {
+  if (is_forked()) return true;
+  const std::scoped_lock lock(state_->mutex);
+  return std::ranges::all_of(state_->running, [](const auto& weak) {
+    const auto operation = weak.lock();
+    return !operation || operation->is_over();
+  });
+}
+
+void Link::close(Instant until) {
+  if (is_forked()) return;
+  begin_close();
+  std::vector<std::weak_ptr<Operation>> running;
+  {
+    const std::scoped_lock lock(state_->mutex);
+    running.swap(state_->running);
   }
   for (const auto& weak : running) {
     if (const auto operation = weak.lock()) operation->wait_until(until);
@@ -121,6 +169,12 @@ void Link::close() {
   state_->client->close();
   // What the board hears last; otherwise, the thread sees to it.
   if (state_->time) state_->time->run([] { return false; }, now() + milliseconds(250));
+}
+
+Link::Events Link::take_events() {
+  if (is_forked()) return {};
+  const std::scoped_lock lock(state_->mutex);
+  return std::exchange(state_->events, {});
 }
 
 }  // namespace sbgc::python

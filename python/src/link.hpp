@@ -15,7 +15,6 @@
 #include <asio/cancellation_signal.hpp>
 #include <asio/executor_work_guard.hpp>
 #include <asio/io_context.hpp>
-#include <sys/types.h>
 
 #include <sbgc/client/async_client.hpp>
 
@@ -33,7 +32,7 @@ inline py::object to_python(const Result<void>& result) {
 
 /// Python owns it, and destroys it on any of its threads. In a forked child it has no thread: it
 /// refuses everything there, and leaves its memory alone.
-class Link {
+class Link : public std::enable_shared_from_this<Link> {
  public:
   Link();
   Link(const Link&) = delete;
@@ -45,31 +44,34 @@ class Link {
                                      const ConnectOptions& options, bool reconnects);
 
   /// Returns a new operation; raises if there is no board.
-  std::shared_ptr<Operation> begin();
-  /// close() cancels the operation and waits for its end.
+  std::shared_ptr<Operation> make_operation();
+  /// Makes close() cancel the operation.
   void add(const std::shared_ptr<Operation>& operation);
   /// Takes the result of an operation of the client, and lets it be cancelled.
   template <class R>
   using Token = asio::cancellation_slot_binder<std::function<void(R)>, asio::cancellation_slot>;
-  /// Starts an operation of the client, `start(client, token)`, whose end ends this one with
-  /// `convert(result)`. `convert` is called on the client's thread, and makes what makes the result
-  /// for Python.
+  /// Makes Operation::begin() start an operation of the client, `start(client, token)`, whose end
+  /// ends this one with `convert(result)`. `convert` is called on the client's thread, and makes
+  /// what makes the result for Python.
   template <class R, class Start, class Convert>
-  void start(const std::shared_ptr<Operation>& operation, const Start& start, Convert convert) {
-    const auto signal = std::make_shared<asio::cancellation_signal>();
-    operation->set_cancel([signal] { signal->emit(asio::cancellation_type::terminal); });
-    add(operation);
-    start(client(), Token<R>(signal->slot(), [operation, convert = std::move(convert)](R result) {
-            operation->end(convert(std::move(result)));
-          }));
+  void prepare(Operation& operation, Start start, Convert convert) {
+    operation.set_begin([link = shared_from_this(), start = std::move(start),
+                         convert = std::move(convert)](const std::shared_ptr<Operation>& one) {
+      AsyncClient& client = link->client();
+      const auto signal = std::make_shared<asio::cancellation_signal>();
+      one->set_cancel([signal] { signal->emit(asio::cancellation_type::terminal); });
+      link->add(one);
+      start(client, Token<R>(signal->slot(),
+                             [one, convert](R result) { one->end(convert(std::move(result))); }));
+    });
   }
-  /// Runs a task; `convert(result)` makes its result for Python.
+  /// The same with a task; `convert(result)` makes its result for Python.
   template <class R, class Convert>
-  void run(const std::shared_ptr<Operation>& operation, Task<R> task, Convert convert) {
-    start<R>(
+  void prepare_task(Operation& operation, Task<R> task, Convert convert) {
+    prepare<R>(
         operation,
-        [&](AsyncClient& client, auto token) {
-          client.async_run(std::move(task), std::move(token));
+        [shared = std::make_shared<Task<R>>(std::move(task))](AsyncClient& client, auto token) {
+          client.async_run(std::move(*shared), std::move(token));
         },
         [convert](R result) -> Operation::Result {
           return [result = std::make_shared<R>(std::move(result)), convert] {
@@ -83,11 +85,29 @@ class Link {
   const VirtualTimePointer& time() const { return state_->time; }
   Instant now() const { return state_->time ? state_->time->now() : io::now(); }
 
-  bool is_forked() const noexcept;
+  /// Lets time pass.
+  void pause(Duration time) const {
+    if (state_->time) {
+      state_->time->run([] { return false; }, now() + time);
+    } else {
+      std::this_thread::sleep_for(std::chrono::microseconds(time.us));
+    }
+  }
+
+  bool is_forked() const noexcept { return process_.is_forked(); }
+  void require_this_process() const { process_.require("the client"); }
   /// Raises if it is not connected or closed.
   AsyncClient& client() const;
-  /// Cancels what runs, which stops a moving camera, and closes the line.
-  void close();
+  bool is_connected() const;
+  /// Cancels what runs, which stops a moving camera; close() closes the line then.
+  void begin_close();
+  /// True when everything that begin_close() has cancelled is over.
+  bool is_still() const;
+  /// Does both, and waits in between, at most until then.
+  void close(Instant until);
+  /// What has happened to the connection since the last call: a name and a sentence.
+  using Events = std::vector<std::pair<std::string, std::string>>;
+  Events take_events();
   const std::shared_ptr<Bell>& bell() const { return state_->bell; }
 
  private:
@@ -98,19 +118,28 @@ class Link {
     std::shared_ptr<Bell> bell = std::make_shared<Bell>();
     std::mutex mutex{};
     std::vector<std::weak_ptr<Operation>> running{};
+    Events events{};
     std::atomic<bool> is_connected = false;  // until close()
-    bool is_closed = false;
+    std::atomic<bool> is_closed = false;
     std::unique_ptr<AsyncClient> client{};
     Subscription changes{};  // of its state
+    Subscription notices{};
     std::thread thread{};
 
+    void happened(const char* name, const std::string& sentence) {
+      {
+        const std::scoped_lock lock(mutex);
+        if (events.size() < 256) events.emplace_back(name, sentence);
+      }
+      bell->ring();
+    }
     asio::any_io_executor executor() {
       if (time) return time->executor();
       return context.get_executor();
     }
   };
 
-  pid_t process_;
+  Process process_{};
   std::unique_ptr<State> state_;
 };
 

@@ -1,11 +1,13 @@
 // Messages of any type, whose fields are read and written by their paths.
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <charconv>
 #include <cmath>
 #include <map>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -16,7 +18,7 @@
 #include <sbgc/text.hpp>
 #include <sbgc/validate.hpp>
 
-#include "binding.hpp"
+#include "arguments.hpp"
 
 namespace sbgc::python {
 
@@ -84,12 +86,38 @@ py::object value_of(const Leaf& leaf, bool raw) {
   return to_text(leaf.text);
 }
 
+/// The leaves at paths, by their numbers in a message that had them: most messages of a type have
+/// their leaves in the same places, and to count is faster than to compare paths. Only for threads
+/// that hold the interpreter.
+std::size_t& number_at(const MessageType& type, std::string_view path) {
+  struct Hash : std::hash<std::string_view> {
+    using is_transparent = void;
+  };
+  using Numbers = std::unordered_map<std::string, std::size_t, Hash, std::equal_to<>>;
+  static std::unordered_map<const MessageType*, Numbers> of_types;
+  Numbers& numbers = of_types[&type];
+  const auto found = numbers.find(path);
+  return found != numbers.end() ? found->second : numbers[std::string(path)];
+}
+
+/// Returns the value at a path; None if there is none.
 py::object get(const AnyMessage& message, std::string_view path, bool raw) {
-  py::object result = py::none();
+  py::object result;
+  std::size_t& number = number_at(message.type(), path);
+  std::size_t at = 0;
   message.for_each_leaf([&](const Leaf& leaf) {
-    if (is_at(&leaf.path, path)) result = value_of(leaf, raw);
+    if (at++ == number && is_at(&leaf.path, path)) result = value_of(leaf, raw);
   });
-  return result;
+  if (result) return result;
+  at = 0;
+  message.for_each_leaf([&](const Leaf& leaf) {
+    if (is_at(&leaf.path, path)) {
+      number = at;
+      result = value_of(leaf, raw);
+    }
+    ++at;
+  });
+  return result ? result : py::none();
 }
 
 /// Returns the number of elements at a path that have values.
@@ -210,6 +238,31 @@ std::vector<std::string> find(const AnyMessage& message, const std::string& name
   return found;
 }
 
+/// Returns the paths of all values that people set.
+std::vector<std::string> paths(const AnyMessage& message) {
+  std::vector<std::string> found;
+  message.for_each_leaf([&](const Leaf& leaf) {
+    if (leaf.kind == LeafKind::counter || leaf.field.reserved) return;
+    found.push_back(sbgc::to_string(leaf.path));
+  });
+  return found;
+}
+
+/// Returns the value at a path as people write it: the names of enum values and flags.
+py::object said(const AnyMessage& message, std::string_view path) {
+  py::object result = py::none();
+  message.for_each_leaf([&](const Leaf& leaf) {
+    if (!is_at(&leaf.path, path)) return;
+    const bool is_named =
+        leaf.names != nullptr &&
+        (leaf.names->is_flags || std::ranges::any_of(leaf.names->values, [&](const ValueInfo& one) {
+           return one.value == leaf.integer;
+         }));
+    result = is_named ? py::object(py::str(value_text(leaf))) : value_of(leaf, false);
+  });
+  return result;
+}
+
 using Values = std::vector<std::pair<std::string, AnyValue>>;
 
 AnyValue raw_value(const Leaf& leaf) {
@@ -289,10 +342,10 @@ std::string text_below(const AnyMessage& message, std::string_view path) {
   return '{' + text + '}';
 }
 
-py::list violations(const AnyMessage& message, unsigned firmware, unsigned board) {
-  const Availability versions{
-      firmware == 0 ? newest.firmware : static_cast<std::uint16_t>(firmware),
-      board == 0 ? newest.board : static_cast<std::uint8_t>(board)};
+py::list violations(const AnyMessage& message, Integer<std::uint16_t, "firmware"> firmware,
+                    Integer<std::uint8_t, "board"> board) {
+  const Availability versions{*firmware == 0 ? newest.firmware : *firmware,
+                              *board == 0 ? newest.board : *board};
   py::list result;
   message.validate(versions, [&](const Violation& violation) {
     const double value = violation.value;
@@ -311,10 +364,9 @@ py::bytes body_of(const AnyMessage& message) {
   return to_bytes(Bytes(bytes).first(written.size));
 }
 
-py::bytes frame_of(const AnyMessage& message, unsigned framing) {
+py::bytes frame_of(const AnyMessage& message, Integer<unsigned, "framing"> framing) {
   std::array<std::uint8_t, max_frame_size> bytes{};
-  if (framing >= framings.size()) throw py::value_error("there is no such framing");
-  const WriteResult written = message.encode_frame(framings.at(framing), bytes);
+  const WriteResult written = message.encode_frame(framing_at(framing), bytes);
   if (!written) {
     raise_status("EncodeError", message.type().info->name, written.status);
   }
@@ -334,8 +386,8 @@ AnyMessage make_message(std::string_view name) {
   return type->make();
 }
 
-void read_json(AnyMessage& message, std::string_view text) {
-  const JsonResult read = message.from_json(text);
+void read_json(AnyMessage& message, const Text<"text">& text) {
+  const JsonResult read = message.from_json(*text);
   if (!read) raise("FieldError", sbgc::to_string(*read.problem), read.problem->field);
 }
 
@@ -404,13 +456,16 @@ void bind_messages(py::module_& module) {
       .def("count", &count)
       .def("add", &AnyMessage::add)
       .def("remove", &AnyMessage::remove)
-      .def("assign", &assign)
+      .def("assign", [](AnyMessage& message, const Text<"path">& path, const Text<"text">& text,
+                        bool validates) { assign(message, *path, *text, validates); })
       .def("set_real", &set_real)
       .def("set_raw", &set_raw)
       .def("set_bytes", &set_bytes)
       .def("set_text", &set_text)
       .def("put", &put)
       .def("find", &find)
+      .def("paths", &paths)
+      .def("said", &said)
       .def("copy_values", &copy_values)
       .def("is_equal", &is_equal)
       .def("text", &text_below)

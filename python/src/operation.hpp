@@ -11,6 +11,7 @@
 #include <sbgc/io/internal/virtual_time.hpp>
 
 #include "binding.hpp"
+#include "process.hpp"
 
 namespace sbgc::python {
 
@@ -36,15 +37,24 @@ class Bell {
   int descriptor_;
 };
 
-/// An operation. Python calls wait() until it is over, and then result().
-class Operation {
+/// An operation. Python begins it where an exception cancels it, calls wait() until it is over, and
+/// then result().
+class Operation : public std::enable_shared_from_this<Operation> {
  public:
   /// Makes the result for Python, or raises. Holds nothing of Python.
   using Result = std::function<py::object()>;
+  using Begin = std::function<void(const std::shared_ptr<Operation>&)>;
 
   /// Without `time`, its time is that of the machine.
   explicit Operation(std::shared_ptr<Bell> bell, VirtualTimePointer time = nullptr)
       : bell_(std::move(bell)), time_(std::move(time)) {}
+
+  /// Sets what begin() does, once.
+  void set_begin(Begin begin) { begin_ = std::move(begin); }
+  void set_cancel(std::function<void()> cancel) {
+    const std::scoped_lock lock(mutex_);
+    cancel_ = std::move(cancel);
+  }
 
   void end(Result result) {
     {
@@ -57,13 +67,18 @@ class Operation {
   void report(Result progress) {
     {
       const std::scoped_lock lock(mutex_);
-      progress_ = std::move(progress);
+      progress_.swap(progress);
     }
     bell_->ring();
   }
   /// Ends it soon, as an error; what moves the camera stops it first.
   void cancel() {
-    if (cancel_ && !is_over()) cancel_();
+    std::function<void()> cancel;
+    {
+      const std::scoped_lock lock(mutex_);
+      if (!result_) cancel = cancel_;
+    }
+    if (cancel) cancel();
   }
   /// Returns whether it is over by then.
   bool wait_until(Instant time) {
@@ -73,12 +88,25 @@ class Operation {
                                [this] { return static_cast<bool>(result_); });
   }
   Instant now() const { return time_ ? time_->now() : io::now(); }
-  void set_cancel(std::function<void()> cancel) { cancel_ = std::move(cancel); }
+  bool is_over() const {
+    const std::scoped_lock lock(mutex_);
+    return static_cast<bool>(result_);
+  }
 
   // For Python, whose interpreter is released meanwhile.
 
+  void begin() {
+    process_.require("the client");
+    if (const Begin begin = std::exchange(begin_, nullptr)) begin(shared_from_this());
+  }
   bool wait(double seconds) {
+    process_.require("the client");
     return released([&] { return wait_until(now() + duration_of(seconds)); });
+  }
+  void cancel_by_python() {
+    if (process_.is_forked()) return;
+    begin_ = nullptr;
+    released([&] { return cancel(), true; });
   }
   py::object result() {
     Result result;
@@ -98,15 +126,14 @@ class Operation {
     }
     return progress ? progress() : py::none();
   }
+  /// True while there is something to wait for.
+  bool is_running() const { return !begin_ && !is_over() && !process_.is_forked(); }
 
  private:
-  bool is_over() const {
-    const std::scoped_lock lock(mutex_);
-    return static_cast<bool>(result_);
-  }
-
+  Process process_{};
   std::shared_ptr<Bell> bell_;
   VirtualTimePointer time_;
+  Begin begin_{};  // only for Python's threads
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   Result result_{};

@@ -13,11 +13,18 @@ namespace sbgc::python {
 
 namespace {
 
-/// TakeSample that wait for Python. Beyond a limit, the oldest are dropped.
+/// Samples that wait for Python. Beyond a limit, the oldest are dropped. The stream ends with the
+/// queue.
 class SampleQueue {
  public:
   SampleQueue(std::shared_ptr<Bell> bell, VirtualTimePointer time)
       : bell_(std::move(bell)), time_(std::move(time)) {}
+  SampleQueue(const SampleQueue&) = delete;
+  SampleQueue& operator=(const SampleQueue&) = delete;
+  ~SampleQueue() {
+    // Its client's locks may be locked for ever in a forked child.
+    if (process_.is_forked()) static_cast<void>(subscription_.release());
+  }
 
   void put(AnyMessage message) {
     {
@@ -32,7 +39,8 @@ class SampleQueue {
     bell_->ring();
   }
   /// Returns the next sample; nothing if there is none within this time.
-  std::optional<AnyMessage> take(Seconds seconds) {
+  std::optional<AnyMessage> take(double seconds) {
+    process_.require("the client");
     return released([&]() -> std::optional<AnyMessage> {
       if (time_) time_->run([this] { return has_sample(); }, time_->now() + duration_of(seconds));
       std::unique_lock lock(mutex_);
@@ -47,8 +55,10 @@ class SampleQueue {
     const std::scoped_lock lock(mutex_);
     return missed_;
   }
-  void own(Subscription subscription) { subscription_ = std::move(subscription); }
-  void cancel() { subscription_.cancel(); }
+  void own(Subscription subscription) { *subscription_ = std::move(subscription); }
+  void cancel() {
+    if (!process_.is_forked()) subscription_->cancel();
+  }
 
  private:
   static constexpr std::size_t limit = 4096;
@@ -64,7 +74,8 @@ class SampleQueue {
   std::condition_variable changed_;
   std::deque<AnyMessage> samples_{};
   std::uint64_t missed_ = 0;
-  Subscription subscription_{};
+  Process process_{};
+  std::unique_ptr<Subscription> subscription_ = std::make_unique<Subscription>();
 };
 
 using QueuePointer = std::shared_ptr<SampleQueue>;
@@ -96,8 +107,8 @@ const StreamKind& kind_named(const std::string& name) {
   return *found;
 }
 
-roles::StreamRequest request_of(Seconds interval, const AnyMessage* request) {
-  auto wanted = detail::stream_request<roles::StreamRequest>(milliseconds_of(interval, "interval"));
+roles::StreamRequest request_of(std::chrono::milliseconds interval, const AnyMessage* request) {
+  auto wanted = detail::stream_request<roles::StreamRequest>(interval);
   if (!wanted) raise_client(wanted.error());
   if (request == nullptr) return *wanted;
   const auto* const given = request->get_if<roles::StreamRequest>();
@@ -107,22 +118,22 @@ roles::StreamRequest request_of(Seconds interval, const AnyMessage* request) {
   return result;
 }
 
-/// Starts the stream of the message with this name; its result is a SampleQueue.
-std::shared_ptr<Operation> stream(const std::shared_ptr<Link>& link, const std::string& name,
-                                  Seconds interval, const AnyMessage* given,
-                                  std::optional<Seconds> timeout) {
-  auto operation = link->begin();
-  const CallOptions options{.timeout = timeout_of(timeout)};
+/// The stream of the message with this name; the result of the operation is a SampleQueue.
+std::shared_ptr<Operation> stream(Link& link, const std::string& name, Seconds<"interval"> interval,
+                                  const AnyMessage* given, OptionalSeconds<"timeout"> timeout) {
+  auto operation = link.make_operation();
+  const CallOptions options{.timeout = timeout};
   const StreamKind& kind = kind_named(name);
   const roles::StreamRequest request = request_of(interval, given);
-  const auto queue = std::make_shared<SampleQueue>(link->bell(), link->time());
+  const auto queue = std::make_shared<SampleQueue>(link.bell(), link.time());
   using Begun = Result<Subscription>;
-  link->start<Begun>(
-      operation,
-      [&](AsyncClient& client, auto token) {
-        kind.start(
-            client, request, options, [queue](AnyMessage one) { queue->put(std::move(one)); },
-            std::move(token));
+  link.prepare<Begun>(
+      *operation,
+      [&kind, request, options, weak = std::weak_ptr(queue)](AsyncClient& client, auto token) {
+        const auto put = [weak](AnyMessage one) {
+          if (const auto to = weak.lock()) to->put(std::move(one));
+        };
+        kind.start(client, request, options, put, std::move(token));
       },
       [queue](Begun begun) -> Operation::Result {
         const Result<void> result = begun ? Result<void>() : begun.error();

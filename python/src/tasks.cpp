@@ -1,6 +1,6 @@
 // The tasks of the client, as methods that begin them.
 
-#include <array>
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <type_traits>
@@ -18,7 +18,7 @@ namespace sbgc::python {
 namespace {
 
 using OperationPointer = std::shared_ptr<Operation>;
-using Memory = std::vector<std::uint8_t>;
+using Octets = std::vector<std::uint8_t>;
 
 // Results
 
@@ -72,7 +72,7 @@ py::object value_of(const T& value) {
   return py::cast(value);
 }
 py::object value_of(const MoveProgress& progress) { return move_progress(progress); }
-py::object value_of(const Memory& bytes) { return to_bytes(bytes); }
+py::object value_of(const Octets& bytes) { return to_bytes(bytes); }
 py::object value_of(const ParameterSet& set) { return blocks_of(set); }
 py::object value_of(const Backup& backup) { return py::cast(to_json_text(backup)); }
 py::list value_of(const ProfileNames& names) {
@@ -119,17 +119,15 @@ ProgressHandler progress_to(const OperationPointer& operation) {
 
 // Arguments
 
-Memory memory_of(const py::buffer& data) {
-  return with_bytes(data, [](Bytes all) { return Memory(all.begin(), all.end()); });
+using Time = std::chrono::milliseconds;
+
+TransferOptions transfer(const OperationPointer& operation, Time timeout) {
+  return {.timeout = timeout, .progress = progress_to(operation)};
 }
 
-TransferOptions transfer(const OperationPointer& operation, Seconds timeout) {
-  return {.timeout = milliseconds_of(timeout, "timeout"), .progress = progress_to(operation)};
-}
-
-ReadOptions reading(const OperationPointer& operation, Seconds timeout) {
+ReadOptions reading(const OperationPointer& operation, Time timeout) {
   ReadOptions options;
-  options.timeout = milliseconds_of(timeout, "timeout");
+  options.timeout = timeout;
   options.progress = progress_to(operation);
   return options;
 }
@@ -143,14 +141,15 @@ MoveTarget target_of(std::optional<double> roll, std::optional<double> pitch,
   return target;
 }
 
-Task<Result<MoveProgress>> move_to(const OperationPointer& operation, std::optional<double> roll,
-                                   std::optional<double> pitch, std::optional<double> yaw,
-                                   double speed, Seconds timeout, double tolerance, bool waits) {
+Task<Result<MoveProgress>> move_to(const OperationPointer& operation, OptionalFloat<"roll"> roll,
+                                   OptionalFloat<"pitch"> pitch, OptionalFloat<"yaw"> yaw,
+                                   Float<"speed"> speed, Seconds<"timeout"> timeout,
+                                   Float<"tolerance"> tolerance, bool waits) {
   const MoveTarget target = target_of(roll, pitch, yaw);
   MoveOptions options;
   options.speed = quantity_of<msg::ControlSpeed>(speed, "speed");
-  options.timeout = milliseconds_of(timeout, "timeout");
-  options.tolerance = tolerance;
+  options.timeout = timeout;
+  options.tolerance = number_in(tolerance, "tolerance", 0, 360);
   options.progress = [weak = std::weak_ptr(operation)](const MoveProgress& progress) {
     if (const auto one = weak.lock()) one->report([progress] { return move_progress(progress); });
     return true;
@@ -159,9 +158,9 @@ Task<Result<MoveProgress>> move_to(const OperationPointer& operation, std::optio
 }
 
 Task<Result<CalibrationEnd>> calibrate(const OperationPointer& operation, const AnyMessage& request,
-                                       std::optional<Seconds> timeout) {
+                                       OptionalSeconds<"timeout"> timeout) {
   CalibrationOptions options;
-  options.timeout = timeout_of(timeout);
+  options.timeout = timeout;
   request.with_leaf(
       "imu_idx", [&](const Leaf& leaf) { options.imu = static_cast<msg::CalibImu>(leaf.integer); });
   options.progress = [weak = std::weak_ptr(operation)](const CalibrationProgress& progress) {
@@ -194,7 +193,8 @@ Task<Result<BodeRecording>> record_bode(const OperationPointer& operation,
 }
 
 Task<Result<ParameterSet>> read_parameters(const OperationPointer& operation,
-                                           std::optional<std::uint8_t> copy, Seconds timeout) {
+                                           std::optional<std::uint8_t> copy,
+                                           Seconds<"timeout"> timeout) {
   ReadOptions options = reading(operation, timeout);
   if (copy) {
     options.wanted = [copy](const ParametersId& id) { return id.copy == *copy || id.copy == 0; };
@@ -203,9 +203,9 @@ Task<Result<ParameterSet>> read_parameters(const OperationPointer& operation,
 }
 
 Task<WriteReport> write_parameters(const OperationPointer& operation, const py::list& blocks,
-                                   Seconds timeout) {
+                                   Seconds<"timeout"> timeout) {
   WriteOptions options;
-  options.timeout = milliseconds_of(timeout, "timeout");
+  options.timeout = timeout;
   options.progress = progress_to(operation);
   return tasks::write_parameters(set_of(blocks), options);
 }
@@ -216,17 +216,18 @@ Backup backup_of(const std::string& text) {
   return *std::move(backup);
 }
 
-Task<WriteReport> restore(const OperationPointer& operation, const std::string& text,
-                          const std::optional<std::string>& save_current, bool dry_run,
-                          bool allow_other_model, bool allow_other_firmware, bool allow_partial,
-                          Seconds timeout) {
+Task<WriteReport> restore(const OperationPointer& operation, const Text<"backup">& text,
+                          const OptionalPath<"save_current">& save_current, Flag<"dry_run"> dry_run,
+                          Flag<"allow_other_model"> allow_other_model,
+                          Flag<"allow_other_firmware"> allow_other_firmware,
+                          Flag<"allow_partial"> allow_partial, Seconds<"timeout"> timeout) {
   RestoreOptions options;
-  if (save_current) options.save_current = save_to(*save_current);
+  if (*save_current) options.save_current = save_to(**save_current);
   options.dry_run = dry_run;
   options.allow_other_model = allow_other_model;
   options.allow_other_firmware = allow_other_firmware;
   options.allow_partial = allow_partial;
-  options.timeout = milliseconds_of(timeout, "timeout");
+  options.timeout = timeout;
   options.progress = progress_to(operation);
   return tasks::restore(backup_of(text), options);
 }
@@ -235,23 +236,36 @@ Task<Result<std::optional<AnyMessage>>> confirmed(AnyMessage request) {
   co_return co_await tasks::call(request, confirming());
 }
 
-Task<Result<void>> set_variables(const std::vector<std::pair<std::string, double>>& values) {
+Task<Result<void>> set_variables(const py::dict& values) {
   std::vector<VariableValue> wanted;
-  for (const auto& [name, value] : values) wanted.push_back({name, value});
+  for (const auto& [name, value] : values) {
+    std::string text = string_of(name, "values");
+    const double number = number_of(value, text.c_str());
+    wanted.push_back({std::move(text), number});
+  }
   return tasks::set_variables(std::move(wanted));
 }
 
-Task<Result<void>> rename_profiles(const std::array<std::string, profile_count>& names) {
-  return tasks::rename_profiles({names});
+Task<Result<void>> rename_profiles(const Texts<"names">& names) {
+  ProfileNames all;
+  if (names.value.size() != all.size()) {
+    throw py::value_error("names: " + std::to_string(all.size()) + " are needed, not " +
+                          std::to_string(names.value.size()));
+  }
+  std::ranges::copy(names.value, all.begin());
+  return tasks::rename_profiles(all);
 }
 
-std::string diff_of(const std::string& before, const std::string& after) {
+std::string diff_of(const Text<"before">& before, const Text<"after">& after) {
   const Backup old = backup_of(before);
   const Backup now = backup_of(after);
   return to_text(diff(old.parameters, now.parameters, old.board.versions(), now.board.versions()));
 }
 
-std::uint16_t file_of(std::int64_t number) { return integer_of<std::uint16_t>(number, "file"); }
+using File = Integer<std::uint16_t, "file">;
+using Address = Integer<std::uint32_t, "address">;
+using Timeout = Seconds<"timeout">;
+using Data = Memory<"data">;
 
 // Methods
 
@@ -263,9 +277,9 @@ class Methods {
   template <class R, class... Arguments>
   const Methods& def(const char* name, Task<R> (*make)(Arguments...)) const {
     link_.def(name, [make](Link& link, Arguments... arguments) {
-      OperationPointer operation = link.begin();
-      link.run(operation, make(std::forward<Arguments>(arguments)...),
-               [](const R& result) { return result_of(result); });
+      OperationPointer operation = link.make_operation();
+      link.prepare_task(*operation, make(std::forward<Arguments>(arguments)...),
+                        [](const R& result) { return result_of(result); });
       return operation;
     });
     return *this;
@@ -275,9 +289,9 @@ class Methods {
   const Methods& def(const char* name,
                      Task<R> (*make)(const OperationPointer&, Arguments...)) const {
     link_.def(name, [make](Link& link, Arguments... arguments) {
-      OperationPointer operation = link.begin();
-      link.run(operation, make(operation, std::forward<Arguments>(arguments)...),
-               [](const R& result) { return result_of(result); });
+      OperationPointer operation = link.make_operation();
+      link.prepare_task(*operation, make(operation, std::forward<Arguments>(arguments)...),
+                        [](const R& result) { return result_of(result); });
       return operation;
     });
     return *this;
@@ -290,7 +304,6 @@ class Methods {
 }  // namespace
 
 void bind_tasks(py::module_& module, LinkClass& link) {
-  using Text = const std::string&;
   Methods(link)
       .def("move_to", &move_to)
       .def(
@@ -300,66 +313,57 @@ void bind_tasks(py::module_& module, LinkClass& link) {
           "confirm", +[](const AnyMessage& request) { return confirmed(request); })
       .def(
           "set_control_timeout",
-          +[](Seconds timeout) {
-            return tasks::set_control_timeout(milliseconds_of(timeout, "timeout"));
-          })
+          +[](Seconds<"seconds"> timeout) { return tasks::set_control_timeout(timeout); })
       .def("calibrate", &calibrate)
       .def("record_bode", &record_bode)
       .def("read_parameters", &read_parameters)
       .def("write_parameters", &write_parameters)
       .def(
           "make_backup",
-          +[](const OperationPointer& operation, Seconds timeout) {
+          +[](const OperationPointer& operation, Timeout timeout) {
             return tasks::make_backup(utc_now(), reading(operation, timeout));
           })
       .def("restore", &restore)
       .def("active_profile", &tasks::active_profile)
       .def("profile_names", &tasks::profile_names)
       .def(
-          "rename_profile",
-          +[](std::size_t profile, Text name) { return tasks::rename_profile(profile, name); })
+          "rename_profile", +[](std::size_t profile,
+                                Text<"name"> name) { return tasks::rename_profile(profile, name); })
       .def("rename_profiles", &rename_profiles)
       .def(
-          "get_variables",
-          +[](const std::vector<std::string>& names) { return tasks::get_variables(names); })
+          "get_variables", +[](Texts<"names"> names) { return tasks::get_variables(names); })
       .def("set_variables", &set_variables)
       .def("save_variables", &tasks::save_variables)
       .def(
           "download_eeprom",
-          +[](const OperationPointer& operation, std::int64_t address, std::int64_t size,
-              Seconds timeout) {
-            return tasks::download_eeprom(integer_of<std::uint32_t>(address, "address"),
-                                          integer_of<std::uint32_t>(size, "size"),
-                                          transfer(operation, timeout));
+          +[](const OperationPointer& operation, Address address,
+              Integer<std::uint32_t, "size"> size, Timeout timeout) {
+            return tasks::download_eeprom(address, size, transfer(operation, timeout));
           })
       .def(
           "upload_eeprom",
-          +[](const OperationPointer& operation, std::int64_t address, const py::buffer& data,
-              Seconds timeout) {
-            return tasks::upload_eeprom(integer_of<std::uint32_t>(address, "address"),
-                                        memory_of(data), transfer(operation, timeout));
+          +[](const OperationPointer& operation, Address address, Data data, Timeout timeout) {
+            return tasks::upload_eeprom(address, data, transfer(operation, timeout));
           })
       .def(
-          "file_size", +[](std::int64_t file) { return tasks::file_size(file_of(file)); })
+          "file_size", +[](File file) { return tasks::file_size(file); })
       .def(
           "download_file",
-          +[](const OperationPointer& operation, std::int64_t file, Seconds timeout) {
-            return tasks::download_file(file_of(file), transfer(operation, timeout));
+          +[](const OperationPointer& operation, File file, Timeout timeout) {
+            return tasks::download_file(file, transfer(operation, timeout));
           })
       .def(
           "upload_file",
-          +[](const OperationPointer& operation, std::int64_t file, const py::buffer& data,
-              Seconds timeout) {
-            return tasks::upload_file(file_of(file), memory_of(data), transfer(operation, timeout));
+          +[](const OperationPointer& operation, File file, Data data, Timeout timeout) {
+            return tasks::upload_file(file, data, transfer(operation, timeout));
           })
       .def(
-          "delete_file", +[](std::int64_t file) { return tasks::delete_file(file_of(file)); })
+          "delete_file", +[](File file) { return tasks::delete_file(file); })
       .def("delete_all_files", &tasks::delete_all_files)
       .def("download_user_data", &tasks::download_user_data)
       .def(
-          "upload_user_data", +[](std::int64_t offset, const py::buffer& data) {
-            return tasks::upload_user_data(integer_of<std::uint32_t>(offset, "offset"),
-                                           memory_of(data));
+          "upload_user_data", +[](Integer<std::uint32_t, "offset"> offset, Data data) {
+            return tasks::upload_user_data(offset, data);
           });
   module.def("diff", &diff_of);
 }

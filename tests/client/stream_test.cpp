@@ -80,11 +80,8 @@ TEST_F(Polls, ReplaceStreamsAsLongAsTheyAreWanted) {
   const Notice notice = notices.wait_for(1).front();
   EXPECT_EQ(notice.kind, NoticeKind::polling);
   EXPECT_THAT(notice.message, ::testing::HasSubstr("firmware 2.59"));
-  // The other one goes on, at the interval of the last.
+  // The other one goes on, at its own interval.
   stream->cancel();
-  const std::size_t before = requests();
-  while (requests() < before + 3) std::this_thread::sleep_for(milliseconds(1));
-  slow->cancel();
   EXPECT_TRUE(client.get_angles());
   const std::size_t last = requests();
   std::this_thread::sleep_for(milliseconds(30));
@@ -146,6 +143,32 @@ TEST_F(Streams, KeepTheirRate) {
   EXPECT_GE(slow_count, least / 100 - 3);
   EXPECT_LE(slow_count, most / 100 + 3);
   EXPECT_EQ(board.counters().skipped, 0U);
+}
+
+TEST_F(Streams, OfOneMessageHaveTheirOwnRates) {
+  Client client = connect();
+  std::atomic<int> slow = 0;
+  std::atomic<int> fast = 0;
+  auto first = client.stream<msg::RealtimeData4>(milliseconds(100), [&](const auto&) { ++slow; });
+  ASSERT_TRUE(first) << first.error().message;
+  auto second = client.stream<msg::RealtimeData4>(milliseconds(20), [&](const auto&) { ++fast; });
+  ASSERT_TRUE(second) << second.error().message;
+  auto third = client.stream<msg::RealtimeData4>(milliseconds(500), [](const auto&) {});
+  ASSERT_TRUE(third) << third.error().message;
+  let_pass(client, std::chrono::seconds(10));
+  // This machine's time counts, too.
+  EXPECT_GE(fast, 490);
+  EXPECT_NEAR(slow, fast / 5, 3);
+  second->cancel();
+  let_pass(client, milliseconds(200));
+  const int last = fast;
+  slow = 0;
+  const auto samples = [&] { return static_cast<int>(client.statistics().session.parser.frames); };
+  const auto before = samples();
+  let_pass(client, std::chrono::seconds(10));
+  EXPECT_GE(slow, 97);
+  EXPECT_LT(samples() - before, slow + 150) << "the board does not send what nobody wants";
+  EXPECT_EQ(fast, last);
 }
 
 TEST_F(Streams, EndWhenTheyAreCancelled) {

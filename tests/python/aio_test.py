@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import asyncio
+import gc
 import inspect
 import random
 import time
 from collections.abc import Awaitable, Callable
 from contextlib import suppress
+from typing import Any
 
 import pytest
 
@@ -36,7 +38,7 @@ def test_both_clients_have_the_same_calls() -> None:
 
     names = calls(sbgc.Gimbal)
     assert calls(aio.Gimbal).keys() == names.keys() and len(names) > 30
-    for name in names.keys() - {"edit_profile", "speed_control"}:  # their results differ
+    for name in names.keys() - {"close", "edit_profile", "speed_control"}:  # their results differ
         assert calls(aio.Gimbal)[name] == names[name], name
 
 
@@ -145,7 +147,7 @@ def test_streams_are_asynchronous_iterators(board: Board) -> None:
 def test_a_stream_ends_with_its_line_and_says_that_nothing_comes(board: Board) -> None:
     async def use(gimbal: aio.Gimbal) -> None:
         async with await gimbal.stream(msg.RealtimeData4, 10, timeout=0.2) as samples:
-            with pytest.raises(TimeoutError, match="no sample for 0.2 seconds"):
+            with pytest.raises(sbgc.GimbalTimeout, match="no sample for 0.2 seconds"):
                 while True:
                     await anext(samples)
             gimbal.close()
@@ -170,6 +172,82 @@ def test_parameters_variables_and_errors_are_those_of_the_blocking_client(board:
                 await gimbal.call(msg.GetAnglesRequest())
 
     with_gimbal(board, use)
+
+
+@pytest.mark.parametrize(
+    "motion",
+    [lambda it: it.move_to(pitch=80, speed=20), lambda it: it.turn(yaw=20, seconds=60)],
+    ids=["move_to", "turn"],
+)
+def test_close_ends_all_tasks_and_does_not_block_the_loop(
+    board: Board, motion: Callable[[aio.Gimbal], Any]
+) -> None:
+    async def main() -> None:
+        gimbal = await aio.connect(board)
+        await gimbal.call(msg.MotorsOn())
+        samples = await gimbal.stream(msg.RealtimeData4, 30, timeout=60)
+        uses = [
+            motion(gimbal),
+            gimbal.calibrate(msg.CalibPoles(), timeout=60),
+            anext(samples),
+        ]
+        tasks = [asyncio.create_task(use) for use in uses]
+        await asyncio.sleep(0.3)
+        begin = time.monotonic()
+        closing = gimbal.close()
+        assert time.monotonic() - begin < 0.1
+        for end in await asyncio.wait_for(asyncio.gather(*tasks, return_exceptions=True), 3):
+            assert type(end) is sbgc.GimbalDisconnected, end
+        await closing
+        assert is_still(board) and not gimbal.is_connected
+        await gimbal.close()
+        with pytest.raises(sbgc.GimbalDisconnected):
+            await gimbal.wait_until_connected()
+
+    asyncio.run(main())
+
+
+def test_a_client_serves_only_its_own_loop(board: Board) -> None:
+    gimbal = asyncio.run(aio.connect(board).__aenter__())
+    uses: list[Callable[[], Any]] = [
+        lambda: gimbal.call(msg.GetAnglesRequest()),
+        gimbal.wait_until_connected,
+        gimbal.speed_control().__aenter__,
+    ]
+
+    async def use() -> None:
+        for one in uses:
+            with pytest.raises(RuntimeError, match="belongs to another event loop"):
+                await one()
+
+    asyncio.run(use())
+    gimbal.close()
+
+
+def test_a_second_cancellation_waits_for_the_camera_too(board: Board) -> None:
+    async def use(gimbal: aio.Gimbal) -> None:
+        move = asyncio.create_task(gimbal.move_to(pitch=80, speed=20))
+        while board.angles.pitch < 3:
+            await asyncio.sleep(0.01)
+        move.cancel()
+        await asyncio.sleep(0)
+        move.cancel()
+        with pytest.raises(asyncio.CancelledError):
+            await move
+        assert is_still(board)
+
+    with_gimbal(board, use)
+
+
+def test_what_is_abandoned_ends_with_a_warning(board: Board) -> None:
+    async def main() -> None:
+        gimbal: Any = await aio.connect(board)
+        with pytest.warns(ResourceWarning, match="aio.client.Gimbal of memory link> was not"):
+            del gimbal
+            gc.collect()
+        await asyncio.sleep(0)
+
+    asyncio.run(main())
 
 
 def test_a_failed_connection_leaves_nothing_behind() -> None:

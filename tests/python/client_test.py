@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gc
 import inspect
+import logging
 import os
 import signal
 import subprocess
@@ -35,6 +36,43 @@ def test_a_board_may_have_later_firmware() -> None:
         sbgc.emulator("9.9")
 
 
+def test_what_people_look_for_first_has_a_name(board: Board, gimbal: Gimbal) -> None:
+    gimbal.move_to(pitch=10, speed=30)
+    assert gimbal.angles().pitch == pytest.approx(board.angles.pitch, abs=0.6)
+    assert gimbal.firmware == "2.59" and 5 < gimbal.battery_voltage() < 60
+    gimbal.motors_off()
+    gimbal.motors_on()
+    for wrong, right in (
+        ("get_angles", "it has angles"),
+        ("mov_to", "it has move_to"),
+        ("beep_sound", r"there is the request call\(msg.BeepSound\(\)\)"),
+    ):
+        with pytest.raises(AttributeError, match=f"no attribute '{wrong}'; {right}"):
+            getattr(gimbal, wrong)
+    assert repr(gimbal) == "<sbgc.client.Gimbal of memory link>"
+    assert repr(board) == "<sbgc.Board, emulated in real time>"
+
+
+def test_a_turn_lasts_as_long_as_it_is_asked_for(board: Board, gimbal: Gimbal) -> None:
+    begin, yaw = time.monotonic(), board.angles.yaw
+    gimbal.turn(yaw=20, seconds=1)
+    assert 1 < time.monotonic() - begin < 3 and is_still(board)
+    assert board.angles.yaw - yaw == pytest.approx(20, abs=4)
+    with pytest.raises(ValueError, match="seconds: -1 is no time"):
+        gimbal.turn(yaw=20, seconds=-1)
+
+
+def test_connections_are_logged(board: Board, caplog: pytest.LogCaptureFixture) -> None:
+    caplog.set_level(logging.INFO, "sbgc")
+    with sbgc.connect(board, reconnect=True) as gimbal:
+        board.unplug()
+        with suppress(GimbalDisconnected):
+            gimbal.call(msg.GetAnglesRequest(), timeout=1)
+        gimbal.wait_until_connected(timeout=20)
+    text = caplog.text
+    assert text.index("connected: memory link") < text.index("lost: ") < text.rindex("connected: ")
+
+
 def test_move_to_arrives_and_reports_its_progress(board: Board, gimbal: Gimbal) -> None:
     seen: list[sbgc.Move] = []
     moved = gimbal.move_to(pitch=10, speed=30, progress=seen.append)
@@ -58,6 +96,16 @@ def test_arguments_out_of_range_are_errors_with_field_value_and_limit(gimbal: Gi
 
 def test_what_is_something_else_is_an_error(gimbal: Gimbal) -> None:
     wrong: Any = msg.AxisState()  # a part of a message
+    with pytest.raises(GimbalError, match="no-such-port"):
+        sbgc.connect(Path("/dev/no-such-port"))
+    with pytest.raises(TypeError, match="places: a list of addresses or boards is needed"):
+        sbgc.find("/dev/ttyUSB0")
+    with pytest.raises(TypeError, match="retries: an integer is needed, not 1.5"):
+        gimbal.call(msg.MotorsOn(), retries=1.5)  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match="dry_run: True or False is needed, not 'no'"):
+        gimbal.restore("", dry_run="no")  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match="capture: the name of a file is needed, not 5"):
+        sbgc.connect("/dev/no-such-port", capture=5)  # type: ignore[arg-type]
     for place in (None, 5, b"tcp:localhost:1"):
         with pytest.raises(TypeError, match="place: an address or an emulated board is needed"):
             sbgc.connect(place)  # type: ignore[arg-type]
@@ -117,12 +165,13 @@ def test_a_speed_is_held_and_ends_with_the_block(board: Board, gimbal: Gimbal) -
 
 
 def test_a_speed_ends_if_its_owner_is_silent(board: Board, gimbal: Gimbal) -> None:
-    with gimbal.speed_control(silence=0.2) as control:
-        control.set(yaw=20)
-        time.sleep(1.0)
-        assert is_still(board)
-        with pytest.raises(GimbalError, match="the camera has been stopped"):
-            control.refresh()
+    with pytest.warns(RuntimeWarning, match="was called for 200 ms"):
+        with gimbal.speed_control(silence=0.2) as control:
+            control.set(yaw=20)
+            time.sleep(1.0)
+            assert is_still(board)
+            with pytest.raises(GimbalError, match="the camera has been stopped"):
+                control.refresh()
 
 
 def test_closing_stops_a_move_of_another_thread(board: Board, gimbal: Gimbal) -> None:
@@ -141,7 +190,7 @@ def test_closing_stops_a_move_of_another_thread(board: Board, gimbal: Gimbal) ->
     gimbal.close()
     assert is_still(board)
     thread.join()
-    assert errors
+    assert [type(error) for error in errors] == [GimbalDisconnected]
     with pytest.raises(GimbalDisconnected):
         gimbal.call(msg.GetAnglesRequest())
 
@@ -253,6 +302,12 @@ def test_parameters_are_written_once_at_the_end(gimbal: Gimbal) -> None:
         assert gimbal.read_profile(2)["pitch.p"] == before
     assert gimbal.read_profile(2)["pitch.p"] == 20
     assert gimbal.read_profile(1)["pitch.p"] == before
+    read = gimbal.read_profile(2)
+    assert "pitch.p" in read and "pitch.q" not in read and dict(read)["axes.pitch.p"] == 20
+    assert len(list(read)) == len(set(read)) == len(read) > 100
+    with gimbal.edit_profile(2) as profile:
+        profile["follow_mode"] = "FOLLOW_MODE_FC"
+    assert gimbal.read_profile(2)["follow_mode"] == "FOLLOW_MODE_FC"
     with pytest.raises(ZeroDivisionError), gimbal.edit_profile(2) as profile:
         profile["pitch.p"] = 21
         raise ZeroDivisionError
@@ -344,8 +399,10 @@ def test_user_data_and_names_of_profiles_are_written_and_read(gimbal: Gimbal) ->
     assert names[1] == "Größe"
     gimbal.rename_profiles(names[::-1])
     assert gimbal.profile_names() == names[::-1]
-    with pytest.raises(TypeError):
+    with pytest.raises(ValueError, match="names: 5 are needed, not 1"):
         gimbal.rename_profiles(["one"])
+    with pytest.raises(TypeError, match="names: a list of texts is needed, not 'abcde'"):
+        gimbal.rename_profiles("abcde")
 
 
 def test_scripts_are_started_and_stopped(gimbal: Gimbal) -> None:
@@ -370,7 +427,7 @@ def test_a_calibration_reports_its_progress_and_its_end(gimbal: Gimbal) -> None:
 
 def test_every_call_has_a_timeout(gimbal: Gimbal) -> None:
     for name, method in vars(Gimbal).items():
-        if not name.startswith("_") and name not in ("close", "speed_control"):
+        if not name.startswith("_") and name not in ("close", "speed_control", "turn"):
             assert "timeout" in inspect.signature(method).parameters, name
     with sbgc.emulator(baud_rate=9600) as slow, sbgc.connect(slow) as other:
         begin = time.monotonic()
@@ -430,17 +487,71 @@ def test_a_client_that_is_forgotten_in_a_call_neither_crashes_nor_hangs(board: B
         gc.collect()
 
 
-def test_a_forked_child_must_not_use_the_client(gimbal: Gimbal) -> None:
+def test_a_forked_child_must_not_use_the_client(board: Board, gimbal: Gimbal) -> None:
+    script = """
+import os, signal, sys
+import sbgc
+
+board = sbgc.emulator(noise=0)
+gimbal = sbgc.connect(board)
+samples = gimbal.stream(sbgc.msg.RealtimeData4, 0.02)
+with gimbal.speed_control() as control:
     child = os.fork()
     if child == 0:
-        status = 1
-        try:
-            gimbal.call(msg.GetAnglesRequest())
-        except GimbalError as error:
-            status = 0 if "forked" in str(error) else 2
-        os._exit(status)
-    assert os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 0
-    assert gimbal.call(msg.GetAnglesRequest())
+        uses = [
+            lambda: gimbal.call(sbgc.msg.GetAnglesRequest()),
+            lambda: gimbal.is_connected,
+            lambda: next(samples),
+            lambda: control.set(yaw=5),
+            control.refresh,
+            control.stop,
+            lambda: sbgc.connect(board),
+            lambda: board.angles,
+            board.unplug,
+        ]
+        for number, use in enumerate(uses):
+            try:
+                sys.exit(f"{number}: {use()}")
+            except sbgc.GimbalError as error:
+                assert "belongs to the process that forked" in str(error), error
+        assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+        assert not signal.pthread_sigmask(signal.SIG_BLOCK, [])
+        sys.exit(0)
+    print(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
+samples.close()
+gimbal.call(sbgc.msg.GetAnglesRequest())
+"""
+    assert output_of(script) == "0\n"
+
+
+def test_threads_that_catch_errors_of_a_closed_client_do_not_deadlock(gimbal: Gimbal) -> None:
+    gimbal.close()
+    assert not gimbal.is_connected and "closed" in repr(gimbal)
+
+    def ask() -> None:
+        for _ in range(2000):
+            with pytest.raises(GimbalDisconnected, match="the client has been closed"):
+                gimbal.call(msg.GetAnglesRequest())
+
+    threads = [threading.Thread(target=ask) for _ in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+
+
+def test_what_is_abandoned_ends_with_a_warning(board: Board) -> None:
+    gimbal = sbgc.connect(board)
+    gc.collect()
+    descriptors = len(os.listdir("/proc/self/fd"))
+    with pytest.warns(ResourceWarning, match="Stream of RealtimeData4> was not closed") as seen:
+        for _ in range(15):  # more than the board has streams
+            assert next(gimbal.stream(msg.RealtimeData4, 0.01))
+            gc.collect()
+    assert len(seen) == 15 and len(os.listdir("/proc/self/fd")) == descriptors
+    with pytest.warns(ResourceWarning, match="Gimbal of memory link> was not closed"):
+        del gimbal, seen  # which has the streams
+        gc.collect()
 
 
 def test_calls_of_several_threads_do_not_hold_the_interpreter(gimbal: Gimbal) -> None:

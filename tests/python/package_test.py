@@ -2,11 +2,18 @@
 
 from __future__ import annotations
 
+import importlib
+import os
 import subprocess
 import sys
 from importlib.metadata import metadata
+from pathlib import Path
+
+import pytest
 
 import sbgc
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "python"))
 
 IMPORTS = """
 import sys
@@ -28,3 +35,20 @@ def test_the_package_describes_itself() -> None:
     assert 'pandas; extra == "pandas"' in (described.get_all("Requires-Dist") or [])
     text = described.get_payload()  # type: ignore[attr-defined]
     assert isinstance(text, str) and text.startswith("# sbgc\n")
+
+
+def test_the_installation_is_described_as_by_the_command() -> None:
+    def said(*command: str) -> str:
+        return subprocess.run(command, capture_output=True, text=True, check=True).stdout
+
+    assert said(sys.executable, "-m", "sbgc").startswith(said(os.environ["SBGC"], "--version"))
+
+
+def test_each_missing_package_is_named_before_compiling(monkeypatch: pytest.MonkeyPatch) -> None:
+    backend = importlib.import_module("build_backend")
+    assert backend.missing_packages() == []
+    monkeypatch.setitem(backend.HEADERS, "some-dev", "some/header.h")
+    monkeypatch.setenv("PATH", "/usr/bin")
+    monkeypatch.setitem(backend.PROGRAMS, "builder", "no-such-program")
+    with pytest.raises(SystemExit, match="apt-get install builder some-dev"):
+        backend.build_wheel("")

@@ -37,6 +37,8 @@ def test_the_package_installs_and_runs_without_a_network(tmp_path: Path) -> None
     run(python, "-W", "error", "-c", PROGRAM.format(folder=folder))
     (library,) = folder.rglob("_core*.so")
     assert library.stat().st_size < 4_000_000
+    without_network(python, "-m", "pip", "install", "--no-cache-dir", "-e", ".")
+    run(python, "-W", "error", "-c", PROGRAM.format(folder=ROOT / "build" / "wheel"))
 
 
 def test_the_archive_of_the_sources_installs_beside_the_packages_of_debian(tmp_path: Path) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import inspect
 import sys
+from collections.abc import Mapping
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -41,7 +42,7 @@ def names_in(module: ModuleType) -> dict[str, object]:
 def members_of(type_: type) -> dict[str, object]:
     """The public methods and properties that the package defines."""
     found = inspect.getmembers(type_)
-    ours = (type, int, str, tuple, OSError)
+    ours = (type, int, str, tuple, OSError, Mapping)
     return {
         name: thing
         for name, thing in found

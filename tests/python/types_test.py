@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import copy
 import pickle
+import pydoc
 from collections.abc import Callable, Iterator
 
 import pytest
@@ -18,7 +19,31 @@ def test_fields_are_in_their_units_with_the_raw_number_beside() -> None:
     assert axis.angle_raw == -1365
     axis.angle_raw = 4096
     assert axis.angle == 90
-    assert repr(axis) == "ControlAxis{speed = 10.0101 deg/s, angle = 90 deg}"
+    assert str(axis) == "ControlAxis{speed = 10.0101 deg/s, angle = 90 deg}"
+    assert msg.ControlAxis(angle_raw=4096).angle == 90
+    with pytest.raises(TypeError, match="angle and angle_raw are the same field"):
+        msg.ControlAxis(angle=1, angle_raw=4096)
+
+
+def test_representations_are_read_by_python_as_the_same_value() -> None:
+    names = {**vars(sbgc), **vars(msg)}
+    for value in (
+        msg.Control(
+            control_mode=msg.ControlMode(mode=msg.ControlModeKind.MODE_ANGLE),
+            axes=msg.Axes(pitch=msg.ControlAxis(angle=30)),
+        ),
+        msg.BeepSound(note_freq_hz=[600, 700], mode=msg.BeepModes(0x8001)),
+        msg.GetAngles(),
+        msg.BoardErrorCode(211),
+        msg.BoardFeatures(0),
+    ):
+        assert eval(repr(value), names) == value, repr(value)
+
+
+def test_help_shows_units_and_directions() -> None:
+    text = pydoc.plain(pydoc.render_doc(msg.ControlAxis))
+    assert "Target angle;" in text and "Unit: deg. Positive pitch is down" in text
+    assert "The number on the wire for angle." in text
 
 
 def test_a_message_is_made_with_keywords_and_changed_in_place() -> None:
@@ -59,13 +84,11 @@ def test_axes_are_matched_by_position_too() -> None:
 
 
 def test_values_of_another_type_are_errors() -> None:
-    with pytest.raises(TypeError, match="control_mode: ControlMode is needed, not <ControlFlags"):
+    with pytest.raises(TypeError, match="control_mode: ControlMode is needed, not ControlFlags"):
         msg.Control(control_mode=msg.ControlFlags.CONTROL_FLAG_HIGH_RES_SPEED)
-    with pytest.raises(
-        TypeError, match="control_mode: ControlMode is needed, not <FirmwareVersion"
-    ):
+    with pytest.raises(TypeError, match="control_mode: ControlMode is needed, not FirmwareVersion"):
         msg.Control(control_mode=msg.FirmwareVersion(2740))
-    with pytest.raises(TypeError, match="axes.roll.speed: a number is needed, not <ControlMode"):
+    with pytest.raises(TypeError, match="^speed: a number is needed, not ControlMode"):
         msg.ControlAxis(speed=msg.ControlModeKind.MODE_ANGLE)
     with pytest.raises(TypeError, match="speed: a number is needed, not True"):
         msg.ControlAxis(speed=True)
@@ -75,6 +98,7 @@ def test_unknown_values_and_bits_survive() -> None:
     assert msg.BoardErrorCode(211) == 211
     assert pickle.loads(pickle.dumps(msg.BoardErrorCode(211))) == 211
     flags = msg.BoardFeatures(0) | 0x8000
+    assert int(msg.StateFlags(0xFFFF) & ~msg.StateFlags.DEBUG_MODE) == 0xFFFE
     assert int(flags) & 0x8000
     assert pickle.loads(pickle.dumps(flags)) == flags
 
@@ -97,7 +121,7 @@ def test_lists_behave_like_lists() -> None:
     message.note_freq_hz[0] = 900
     assert message.note_freq_hz == [900, 800]
     message.note_freq_hz_raw = [21000]
-    assert "pause" in repr(message)
+    assert "pause" in str(message)
     with pytest.raises(FieldError):
         message.note_freq_hz.extend([600] * 200)
     assert message.note_freq_hz_raw == [21000]
@@ -144,6 +168,8 @@ def test_errors_name_field_value_and_limit() -> None:
         msg.BeepSound(note_freq_hz=5)  # type: ignore[arg-type]
     with pytest.raises(TypeError, match="axes: Axes is needed"):
         message.axes = 3  # type: ignore[assignment]
+    with pytest.raises(FieldError, match="^angle: 1000 deg does not fit"):
+        msg.Axes(pitch=msg.ControlAxis(angle=1000))
     with pytest.raises(TypeError, match="axes.roll: ControlAxis is needed"):
         message.axes.roll = msg.AxisState()  # type: ignore[assignment]
     with pytest.raises(FieldError, match=r"note_length: 1e\+09 ms does not fit: 0 ms to 2040 ms"):
@@ -186,6 +212,12 @@ def test_what_is_no_message_and_no_bytes_is_an_error() -> None:
         for read in (sbgc.decode, sbgc.Parser().feed, msg.Control.from_body):
             with pytest.raises(TypeError, match="bytes-like object is required"):
                 read(wrong)  # type: ignore[operator]
+    with pytest.raises(TypeError, match="direction: a Direction is needed, not 'from_board'"):
+        sbgc.decode(b"", "from_board")  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="id: 0 to 255 are possible, not 256"):
+        sbgc.decode_body(256, b"")
+    with pytest.raises(TypeError, match="text: a text is needed, not 5"):
+        msg.Control().assign("axes.roll.angle", 5)  # type: ignore[arg-type]
     with pytest.raises(TypeError, match="contexts: Contexts are needed, not 5"):
         sbgc.decode(b"", contexts=5)  # type: ignore[arg-type]
 

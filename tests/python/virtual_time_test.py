@@ -81,6 +81,14 @@ def test_speeds_that_nobody_refreshes_end(gimbal: Gimbal, gimbal_board: Board) -
         assert gimbal_board.speeds.yaw == pytest.approx(0, abs=1)
         with pytest.raises(sbgc.GimbalError, match="has been stopped"):
             control.refresh()
+        with pytest.warns(RuntimeWarning, match="was called for 500 ms"):
+            control.set(yaw=20)
+        gimbal_board.sleep(0.4)
+        assert gimbal_board.speeds.yaw == pytest.approx(20, abs=1)
+        gimbal.stop()
+        with pytest.raises(sbgc.GimbalSuperseded):
+            control.set(yaw=20)
+        control.set(yaw=20)
 
 
 def test_a_silent_line_ends_calls_at_their_timeout() -> None:
@@ -119,8 +127,10 @@ def test_faults_damage_frames(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("arguments", "text"),
     [
-        ({"lost": 1.5}, "a share is 0 to 1"),
-        ({"silences": [(-1, 2)]}, "a time is 0 to"),
+        ({"lost": 1.5}, "lost: 0 to 1 are possible, not 1.5"),
+        ({"noise": math.nan}, "noise: 0 to 1000 are possible, not nan"),
+        ({"seed": -1}, "seed: 0 to 4294967295 are possible, not -1"),
+        ({"silences": [(-1, 2)]}, "silences: 0 to"),
         ({"board": "x"}, "x"),
         ({"motion": "nowhere.csv"}, "nowhere.csv"),
     ],

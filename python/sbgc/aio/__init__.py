@@ -14,6 +14,7 @@ from typing import Any, Optional, Union
 
 from sbgc.aio import client
 from sbgc.aio.client import Gimbal, Stream
+from sbgc.aio.waiting import SpeedBlock
 from sbgc.emulator import Board
 from sbgc.link import Path
 from sbgc.search import Found
@@ -26,7 +27,7 @@ class Connecting:
     """A client that is being connected: to await, or for `async with`."""
 
     def __init__(
-        self, place: Union[str, Board], timeout: float, capture: Optional[Path], reconnect: bool
+        self, place: Union[Path, Board], timeout: float, capture: Optional[Path], reconnect: bool
     ) -> None:
         self._place, self._timeout = place, timeout
         self._capture, self._reconnect = capture, reconnect
@@ -43,11 +44,11 @@ class Connecting:
 
     async def __aexit__(self, *error: object) -> None:
         if self._gimbal is not None:
-            self._gimbal.close()
+            await self._gimbal.close()
 
 
 def connect(
-    place: Union[str, Board],
+    place: Union[Path, Board],
     *,
     timeout: float = 20.0,
     capture: Optional[Path] = None,
@@ -60,7 +61,7 @@ def connect(
 
 
 async def find(
-    places: Optional[Iterable[Union[str, Board]]] = None, *, timeout: float = 5.0
+    places: Optional[Iterable[Union[Path, Board]]] = None, *, timeout: float = 5.0
 ) -> list[Found]:
     """Search for gimbals, as sbgc.find()."""
     return await asyncio.to_thread(find_blocking, places, timeout=timeout)

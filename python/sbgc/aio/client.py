@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-import os
+import warnings
 from collections.abc import AsyncIterator, Callable, Mapping, Sequence
-from contextlib import asynccontextmanager
-from typing import Generic, Optional, TypeVar, Union
+from contextlib import asynccontextmanager, suppress
+from typing import Any, Generic, Optional, TypeVar, Union
 
 from sbgc import _core
-from sbgc.aio.waiting import Waiting
+from sbgc.aio.waiting import SpeedBlock, Waiting
 from sbgc.bode import BodeRecording, recording_of
-from sbgc.emulator import Board
-from sbgc.fields import limited
+from sbgc.emulator import Angles, Board
+from sbgc.errors import Error
 from sbgc.link import (
     Bytes,
     Calibration,
@@ -19,21 +19,30 @@ from sbgc.link import (
     Move,
     Path,
     Progress,
-    SpeedControl,
     calibration_of,
+    dict_of,
     move_of,
     name_of,
+    names_of,
     no_sample,
-    pairs_of,
     require_numbers,
     seconds_of,
     target_of,
 )
-from sbgc.message import Message, of_library, wrap
-from sbgc.msg import BodeTestStartStopRequest, ScriptMode
+from sbgc.message import Message, Request, of_library, wrap
+from sbgc.msg import (
+    BodeTestStartStopRequest,
+    CalibGyro,
+    GetAnglesRequest,
+    MotorsOff,
+    MotorsOn,
+    RealtimeData3Request,
+    ScriptMode,
+)
 from sbgc.parameters import Edit, Profile, profile_index
 
 M = TypeVar("M", bound=Message)
+R = TypeVar("R")
 T = TypeVar("T")
 
 
@@ -49,17 +58,17 @@ class Gimbal(Waiting):
         return self
 
     async def __aexit__(self, *error: object) -> None:
-        self.close()
+        await self.close()
 
     async def call(
         self,
-        request: Message,
+        request: Request[R],
         *,
         timeout: Optional[float] = None,
         retries: Optional[int] = None,
         validates: bool = True,
         expects_confirmation: bool = False,
-    ) -> Optional[Message]:
+    ) -> R:
         """Send a request and return its response or confirmation; None if the protocol has none.
 
         With `expects_confirmation`, wait for one that the board may leave out, and raise a
@@ -68,7 +77,34 @@ class Gimbal(Waiting):
         found = await self._finish(
             self._link.call(of_library(request), timeout, retries, validates, expects_confirmation)
         )
-        return None if found is None else wrap(found)
+        answer: Any = None if found is None else wrap(found)
+        return answer  # type: ignore[no-any-return]
+
+    async def angles(self, *, timeout: Optional[float] = None) -> Angles:
+        """The angles of the camera in degrees, as its IMU measures them."""
+        axes = (await self.call(GetAnglesRequest(), timeout=timeout)).axes
+        return Angles(*(axis.imu_angle for axis in axes))
+
+    async def motors_on(self, *, timeout: Optional[float] = None) -> None:
+        """Turn the motors on. The camera may jump to its target."""
+        await self.call(MotorsOn(), timeout=timeout)
+
+    async def motors_off(self, *, timeout: Optional[float] = None) -> None:
+        """Turn the motors off. The camera may drop to its heavy side."""
+        await self.call(MotorsOff(), timeout=timeout)
+
+    async def battery_voltage(self, *, timeout: Optional[float] = None) -> float:
+        """The voltage of the battery in volts."""
+        return (await self.call(RealtimeData3Request(), timeout=timeout)).bat_level
+
+    async def calibrate_gyro(
+        self,
+        *,
+        timeout: Optional[float] = None,
+        progress: Optional[Callable[[Calibration], object]] = None,
+    ) -> CalibrationEnd:
+        """Calibrate the gyroscope: calibrate(msg.CalibGyro()). The camera must not move."""
+        return await self.calibrate(CalibGyro(), timeout=timeout, progress=progress)
 
     async def move_to(
         self,
@@ -85,12 +121,10 @@ class Gimbal(Waiting):
 
         Axes without an angle stay under RC control. Speed 0 is that of the parameters.
 
-        Raises a GimbalError with the code "superseded" if a later command of this client stops the
-        camera or moves it, and "interrupted" if another program, RC or a limit has changed the
-        target. In both cases it sends nothing more.
+        Raises GimbalSuperseded if a later command of this client stops the camera or moves it, and
+        GimbalInterrupted if another program, RC or a limit has changed the target. In both cases it
+        sends nothing more.
         """
-        require_numbers(roll=roll, pitch=pitch, yaw=yaw, speed=speed)
-        require_numbers(timeout=timeout, tolerance=tolerance)
         operation = self._link.move_to(roll, pitch, yaw, speed, timeout, tolerance, True)
         tell = None if progress is None else (lambda *found: progress(move_of(found)))
         return move_of(await self._finish(operation, tell))
@@ -105,15 +139,20 @@ class Gimbal(Waiting):
         timeout: float = 30.0,
     ) -> Move:
         """The same, but return as soon as the camera moves. It stops at the target by itself."""
-        require_numbers(roll=roll, pitch=pitch, yaw=yaw, speed=speed, timeout=timeout)
         operation = self._link.move_to(roll, pitch, yaw, speed, timeout, 0.5, False)
-        return move_of(await self._finish(operation))
+        try:
+            return move_of(await self._finish(operation))
+        except BaseException:
+            with suppress(Error, RuntimeError):
+                operation.result()  # raises unless the camera moves, which the caller would not know
+                await self.stop()
+            raise
 
     async def stop(self, *, timeout: float = 4.0) -> None:
         """Stop the camera, and wait until it has stood still for half a second.
 
-        It ends every motion of this client that began before: these raise a GimbalError with the
-        code "superseded", a held speed at its next set(). A motion that begins later ends the wait.
+        It ends every motion of this client that began before: these raise GimbalSuperseded, a held
+        speed at its next set(). A motion that begins later ends the wait.
         """
         await self._finish(self._link.stop(), timeout=timeout)
 
@@ -128,17 +167,30 @@ class Gimbal(Waiting):
         """
         await self._finish(self._link.set_control_timeout(seconds), timeout=timeout)
 
-    @asynccontextmanager
-    async def speed_control(self, silence: float = 0.5) -> AsyncIterator[SpeedControl]:
+    def speed_control(self, silence: float = 0.5) -> SpeedBlock:
         """Turn with speeds, which set() chooses. The camera stops at the end of the block.
 
         It also stops if nobody calls set() or refresh() for the time of `silence`.
         """
-        held = _core.HeldSpeed(self._link, silence)
-        try:
-            yield SpeedControl(held)
-        finally:
-            await self._finish(held.close())
+        return SpeedBlock(self, silence)
+
+    async def turn(
+        self, *, roll: float = 0.0, pitch: float = 0.0, yaw: float = 0.0, seconds: float
+    ) -> None:
+        """Turn with these speeds, in degrees per second, for so many seconds; then stop.
+
+        Axes without a speed hold still. Raises GimbalSuperseded if a later command of this client
+        stops the camera or moves it.
+        """
+        require_numbers(seconds=seconds)
+        if not seconds >= 0:
+            raise ValueError(f"seconds: {seconds!r} is no time")
+        async with self.speed_control() as control:
+            until = self._link.now() + seconds
+            control.set(roll=roll, pitch=pitch, yaw=yaw)
+            while (left := until - self._link.now()) > 0:
+                control.refresh()
+                await self._pause(min(left, 0.1))
 
     async def stream(
         self,
@@ -151,12 +203,12 @@ class Gimbal(Waiting):
         """Make the board send a message every `interval` seconds.
 
         A `request` has the configuration of the stream, for those that need one. Iterating raises
-        TimeoutError if no sample comes for the time of `timeout`.
+        GimbalTimeout if no sample comes for the time of `timeout`.
         """
         seconds_of(timeout)
         given = None if request is None else of_library(request)
         queue = await self._finish(self._link.stream(name_of(message), interval, given, None))
-        return Stream(queue, self, timeout)
+        return Stream(queue, self, message, timeout)
 
     async def calibrate(
         self,
@@ -202,7 +254,7 @@ class Gimbal(Waiting):
 
     async def rename_profiles(self, names: Sequence[str], *, timeout: float = 10.0) -> None:
         """Rename all profiles, and verify the names."""
-        await self._finish(self._link.rename_profiles(limited(names)), timeout=timeout)
+        await self._finish(self._link.rename_profiles(names_of(names)), timeout=timeout)
 
     async def read_profile(self, profile: int, *, timeout: float = 60.0) -> Profile:
         """Read the parameters of a profile, from 1, and those of the whole board."""
@@ -233,7 +285,7 @@ class Gimbal(Waiting):
 
     async def set_variables(self, values: Mapping[str, float], *, timeout: float = 10.0) -> None:
         """Set adjustable variables until the board restarts, or until they are saved."""
-        await self._finish(self._link.set_variables(pairs_of(values)), timeout=timeout)
+        await self._finish(self._link.set_variables(dict_of(values)), timeout=timeout)
 
     async def save_variables(self, *, timeout: float = 10.0) -> None:
         """Save the parameters that the board works with to the active profile."""
@@ -260,9 +312,8 @@ class Gimbal(Waiting):
         The present ones are saved to the new file `save_current` first. A `dry_run`, which needs no
         file, only reports what would change.
         """
-        file = None if save_current is None else os.fspath(save_current)
         allowed = allow_other_model, allow_other_firmware, allow_partial
-        operation = self._link.restore(backup, file, dry_run, *allowed, timeout)
+        operation = self._link.restore(backup, save_current, dry_run, *allowed, timeout)
         return await self._finish(operation, progress)
 
     async def read_eeprom(
@@ -368,20 +419,26 @@ class Gimbal(Waiting):
             return found
 
         seconds_of(timeout)  # raises if it is none
+        self._require_loop()
         try:
+            operation.begin()  # only here: what interrupts it before ends nothing
             await self._wait(is_over, timeout)
         except BaseException:
-            operation.cancel()
-            await self._let_stop(operation)
+            await self._end(operation)
             raise
-        return operation.result()
+        return self._result(operation)
 
 
 class Stream(Generic[M]):
     """The samples of a data stream. It ends with its `async with` block, or with close()."""
 
-    def __init__(self, queue: _core.SampleQueue, gimbal: Gimbal, timeout: float) -> None:
-        self._queue, self._gimbal, self._timeout = queue, gimbal, timeout
+    _is_open = False
+
+    def __init__(
+        self, queue: _core.SampleQueue, gimbal: Gimbal, message: type[M], timeout: float
+    ) -> None:
+        self._queue, self._gimbal, self._message = queue, gimbal, message
+        self._timeout = timeout
         self._is_open = True
 
     async def __aenter__(self) -> Stream[M]:
@@ -393,8 +450,17 @@ class Stream(Generic[M]):
     def __aiter__(self) -> Stream[M]:
         return self
 
+    def __repr__(self) -> str:
+        state = "" if self._is_open and not self._gimbal._is_closed else ", closed"
+        return f"<{type(self).__module__}.Stream of {self._message.__name__}{state}>"
+
+    def __del__(self) -> None:
+        if self._is_open and not self._gimbal._is_closed:
+            warnings.warn(f"{self!r} was not closed", ResourceWarning, source=self)
+
     async def __anext__(self) -> M:
-        """Wait for the next sample. Raises TimeoutError if none comes."""
+        """Wait for the next sample. Raises GimbalTimeout if none comes."""
+        self._gimbal._require_loop()
         sample = await self._gimbal._wait(self._take, self._timeout, no_sample)
         return wrap(sample)  # type: ignore[return-value]
 
@@ -403,7 +469,8 @@ class Stream(Generic[M]):
             raise StopAsyncIteration
         sample = self._queue.take(seconds)
         if sample is None:
-            self._gimbal._link.description()  # raises if the line is closed
+            self._gimbal._log()
+            self._gimbal._link.require()  # raises if the line is closed
         return sample
 
     @property
@@ -419,7 +486,7 @@ class Stream(Generic[M]):
 
 
 async def connect(
-    place: Union[str, Board],
+    place: Union[Path, Board],
     *,
     timeout: float = 20.0,
     capture: Optional[Path] = None,
@@ -433,9 +500,8 @@ async def connect(
     """
     gimbal = Gimbal()
     try:
-        file = None if capture is None else os.fspath(capture)
-        await gimbal._finish(gimbal._link.connect(target_of(place), timeout, file, reconnect))
+        await gimbal._finish(gimbal._link.connect(target_of(place), timeout, capture, reconnect))
     except BaseException:
-        gimbal.close()
+        await gimbal.close()
         raise
     return gimbal

@@ -221,11 +221,15 @@ void PassiveClient::State::begin(Running& running, TaskStep step) {
     has_news_ = true;
     task.received(id, {frame.body.begin(), frame.body.end()});
   };
-  const auto replied = [this, &task, id, stream](Result<Reply> reply) {
+  const std::uint32_t interval = step.request->policy.stream.interval_us;
+  const auto replied = [this, &task, id, stream, interval](Result<Reply> reply) {
     has_news_ = true;
     // The board may have received the request, so the stream must be ended as well.
     const bool may_run = reply || reply.error().code == ErrorCode::timeout;
-    if (stream && may_run) streams_.set_running(*stream);
+    if (stream && may_run) {
+      const auto wanted = streams_.set_running(*stream, interval);
+      if (wanted && reply) change_stream(*stream, *wanted);
+    }
     if (!reply) task.keep(id, {});
     task.replied(id, std::move(reply));
   };
@@ -254,32 +258,36 @@ void PassiveClient::State::join_order(Running& running) {
 class PassiveClient::State::Stream : public Subscription::Registration {
  public:
   Stream(State& state, const detail::StreamListeners::Key& key,
-         detail::Delivery::Registration samples)
-      : state_(state), key_(key), samples_(std::move(samples)) {}
+         detail::StreamListeners::Listener listener, detail::Delivery::Registration samples)
+      : state_(state), key_(key), listener_(listener), samples_(std::move(samples)) {}
   Stream(const Stream&) = delete;
   Stream& operator=(const Stream&) = delete;
   // NOLINTNEXTLINE(bugprone-exception-escape): throws only when out of memory
   ~Stream() override {
     samples_.reset();
-    state_.leave_stream(key_);
+    state_.leave_stream(key_, listener_);
   }
 
  private:
   State& state_;
   const detail::StreamListeners::Key key_;
+  const detail::StreamListeners::Listener listener_;
   detail::Delivery::Registration samples_;
 };
 
 Subscription PassiveClient::State::begin_stream(Running& running, TaskStep& step) {
   const auto key = detail::StreamListeners::key_of(*step.request);
-  streams_.join(key, *std::move(step.stream_end));
+  const auto listener = streams_.join(key, *step.request, *std::move(step.stream_end));
+  step.request = streams_.fastest(key);
   const detail::MessageKey wanted{.id = step.request->policy.stream.command, .is_raw = true};
-  auto take = [this, &task = *running.machine, id = step.call](const Frame& frame) {
+  auto take = [this, &task = *running.machine, key, listener, id = step.call](const Frame& frame) {
+    if (!streams_.is_due(key, listener)) return;
     has_news_ = true;
     task.received(id, {frame.body.begin(), frame.body.end()});
   };
   return Subscription(std::make_unique<Stream>(
-      *this, key, delivery_.subscribe(wanted, detail::typed_handler<Frame>(std::move(take)))));
+      *this, key, listener,
+      delivery_.subscribe(wanted, detail::typed_handler<Frame>(std::move(take)))));
 }
 
 void PassiveClient::State::cancel(TaskStep step) {
@@ -287,18 +295,28 @@ void PassiveClient::State::cancel(TaskStep step) {
   if (!call) return;
   dialogue_.forget(*call);
   if (step.stream && call->was_sent) {
-    streams_.set_running(detail::StreamListeners::key_of(call->request));
+    streams_.set_running(detail::StreamListeners::key_of(call->request),
+                         call->request.policy.stream.interval_us);
   }
 }
 
-/// Ends the data stream when nobody wants it any more.
-void PassiveClient::State::leave_stream(const detail::StreamListeners::Key& key) {
-  auto end = streams_.leave(key);
-  if (!end) return;
+void PassiveClient::State::leave_stream(const detail::StreamListeners::Key& key,
+                                        detail::StreamListeners::Listener listener) {
+  if (auto change = streams_.leave(key, listener)) change_stream(key, *std::move(change));
+}
+
+/// Ends the data stream when nobody wants it any more, or changes its interval.
+void PassiveClient::State::change_stream(const detail::StreamListeners::Key& key,
+                                         detail::Request request) {
   has_news_ = true;
-  const auto ended = [this, key](const Result<Reply>&) { streams_.end_sent(key); };
+  const std::uint32_t interval = request.policy.stream.interval_us;
+  const auto changed = [this, key, interval](const Result<Reply>& reply) {
+    if (interval == 0) return streams_.end_sent(key);
+    const auto wanted = reply ? streams_.set_running(key, interval) : std::nullopt;
+    if (wanted) change_stream(key, *wanted);
+  };
   const detail::CallPointer call =
-      detail::make_call(detail::next_call_id(), *std::move(end), {}, options_, now_, ended);
+      detail::make_call(detail::next_call_id(), std::move(request), {}, options_, now_, changed);
   if (calls_.begin(call)) streams_.end_sent(key);
 }
 

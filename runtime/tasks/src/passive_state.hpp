@@ -71,7 +71,9 @@ class PassiveClient::State {
   Subscription begin_stream(Running& running, TaskStep& step);
   void join_order(Running& running);
   void cancel(TaskStep step);
-  void leave_stream(const detail::StreamListeners::Key& key);
+  void leave_stream(const detail::StreamListeners::Key& key,
+                    detail::StreamListeners::Listener listener);
+  void change_stream(const detail::StreamListeners::Key& key, detail::Request request);
 
   const ConnectOptions options_;
   const bool line_may_repeat_;

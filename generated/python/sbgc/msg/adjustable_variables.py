@@ -4,14 +4,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import ClassVar, Optional, Union
+from typing import TYPE_CHECKING, ClassVar, Optional, Union
 
 from sbgc.fields import BYTES, RAW, REAL, TEXT, Axes, AxesOf, Elements, Field, GroupOf, ListOf
 from sbgc.fields import Structure, ValueOf, Xyz
-from sbgc.message import Message
+from sbgc.message import Message, Request
 from sbgc.msg.enums import *
 from sbgc.msg.packed import *
 from sbgc.values import UNSET
+
+if TYPE_CHECKING:
+    from sbgc.msg import Confirm
 
 __all__ = [
     "AdjVarFloat",
@@ -51,8 +54,14 @@ class AdjVarValue(Structure):
     param_value_raw: Field[int, int] = Field(RAW, of="param_value")
     """The number on the wire for param_value."""
 
-    def __init__(self, *, param_id: VariableId = UNSET, param_value: float = UNSET) -> None:
-        self._start(param_id=param_id, param_value=param_value)
+    def __init__(
+        self,
+        *,
+        param_id: VariableId = UNSET,
+        param_value: float = UNSET,
+        param_value_raw: int = UNSET,
+    ) -> None:
+        self._start(param_id=param_id, param_value=param_value, param_value_raw=param_value_raw)
 
 
 class TriggerSlot(Structure):
@@ -125,8 +134,16 @@ class AdjVarInfo(Structure):
         range_min: int = UNSET,
         range_max: int = UNSET,
         value: float = UNSET,
+        value_raw: int = UNSET,
     ) -> None:
-        self._start(var_id=var_id, name=name, range_min=range_min, range_max=range_max, value=value)
+        self._start(
+            var_id=var_id,
+            name=name,
+            range_min=range_min,
+            range_max=range_max,
+            value=value,
+            value_raw=value_raw,
+        )
 
 
 class AdjVarFloat(Structure):
@@ -144,7 +161,7 @@ class AdjVarFloat(Structure):
         self._start(id=id, value=value)
 
 
-class SetAdjVarsVal(Message):
+class SetAdjVarsVal(Request["Confirm"]):
     """Values of adjustable variables.
 
     CMD_SET_ADJ_VARS_VAL (31), in both directions; 1 to 201 bytes, and later firmware may append
@@ -162,7 +179,7 @@ class SetAdjVarsVal(Message):
         self._start(params=params, tail=tail)
 
 
-class GetAdjVarsVal(Message):
+class GetAdjVarsVal(Request["SetAdjVarsVal"]):
     """Request the values of adjustable variables.
 
     CMD_GET_ADJ_VARS_VAL (64), to the board; 1 to 41 bytes. Effect: reads. Since board 3.0.
@@ -214,7 +231,7 @@ class ReadAdjVarsCfg(Message):
         )
 
 
-class ReadAdjVarsCfgRequest(Message):
+class ReadAdjVarsCfgRequest(Request["ReadAdjVarsCfg"]):
     """Request the RC signals that trigger actions or change adjustable variables.
 
     CMD_READ_ADJ_VARS_CFG (43), to the board; 0 bytes. Effect: reads. Since board 3.0. Source:
@@ -259,16 +276,20 @@ class AdjVarsState(Message):
         self,
         *,
         trigger_rc_data: float = UNSET,
+        trigger_rc_data_raw: int = UNSET,
         trigger_action: MenuCommand = UNSET,
         analog_rc_data: float = UNSET,
+        analog_rc_data_raw: int = UNSET,
         analog_value: int = UNSET,
         reserved: Bytes = UNSET,
         tail: Bytes = UNSET,
     ) -> None:
         self._start(
             trigger_rc_data=trigger_rc_data,
+            trigger_rc_data_raw=trigger_rc_data_raw,
             trigger_action=trigger_action,
             analog_rc_data=analog_rc_data,
+            analog_rc_data_raw=analog_rc_data_raw,
             analog_value=analog_value,
             reserved=reserved,
             tail=tail,
@@ -310,25 +331,31 @@ class AdjVarsStateExt(Message):
         self,
         *,
         trigger_rc_data: float = UNSET,
+        trigger_rc_data_raw: int = UNSET,
         trigger_action: MenuCommand = UNSET,
         analog_src_value: float = UNSET,
+        analog_src_value_raw: int = UNSET,
         analog_var_value: float = UNSET,
         lut_src_value: float = UNSET,
+        lut_src_value_raw: int = UNSET,
         lut_var_value: float = UNSET,
         tail: Bytes = UNSET,
     ) -> None:
         self._start(
             trigger_rc_data=trigger_rc_data,
+            trigger_rc_data_raw=trigger_rc_data_raw,
             trigger_action=trigger_action,
             analog_src_value=analog_src_value,
+            analog_src_value_raw=analog_src_value_raw,
             analog_var_value=analog_var_value,
             lut_src_value=lut_src_value,
+            lut_src_value_raw=lut_src_value_raw,
             lut_var_value=lut_var_value,
             tail=tail,
         )
 
 
-class AdjVarsStateRequest(Message):
+class AdjVarsStateRequest(Request["AdjVarsState"]):
     """Request the state of one trigger slot and one analog slot.
 
     CMD_ADJ_VARS_STATE (46), to the board, simple form; 2 bytes. Effect: reads. Since board 3.0.
@@ -352,7 +379,7 @@ class AdjVarsStateRequest(Message):
         self._start(trigger_slot=trigger_slot, analog_slot=analog_slot, tail=tail)
 
 
-class AdjVarsStateRequestExt(Message):
+class AdjVarsStateRequestExt(Request["AdjVarsStateExt"]):
     """Request the state of a trigger slot, two RC signals and two variables.
 
     CMD_ADJ_VARS_STATE (46), to the board, extended form; 7 bytes. Effect: reads. Since firmware
@@ -416,7 +443,7 @@ class AdjVarsInfo(Message):
         self._start(total_number=total_number, vars=vars, tail=tail)
 
 
-class AdjVarsInfoRequest(Message):
+class AdjVarsInfoRequest(Request["AdjVarsInfo"]):
     """Request names, ranges and values of adjustable variables.
 
     CMD_ADJ_VARS_INFO (132), to the board, simple form; 1 byte. Effect: reads. Since firmware
@@ -434,7 +461,7 @@ class AdjVarsInfoRequest(Message):
         self._start(start_id=start_id, tail=tail)
 
 
-class AdjVarsInfoRequestAll(Message):
+class AdjVarsInfoRequestAll(Request["AdjVarsInfo"]):
     """Request names, ranges and values of adjustable variables, starting with the first.
 
     CMD_ADJ_VARS_INFO (132), to the board, all form; 0 bytes. Effect: reads. Since firmware
@@ -448,7 +475,7 @@ class AdjVarsInfoRequestAll(Message):
         self._start(tail=tail)
 
 
-class SetAdjVarsValF(Message):
+class SetAdjVarsValF(Request["Confirm"]):
     """Values of adjustable variables in floating point.
 
     CMD_SET_ADJ_VARS_VAL_F (134), in both directions; 1 to 201 bytes, and later firmware may
@@ -466,7 +493,7 @@ class SetAdjVarsValF(Message):
         self._start(params=params, tail=tail)
 
 
-class GetAdjVarsValF(Message):
+class GetAdjVarsValF(Request["SetAdjVarsValF"]):
     """Request the values of adjustable variables in floating point.
 
     CMD_GET_ADJ_VARS_VAL_F (135), to the board; 1 to 41 bytes. Effect: reads. Since firmware
@@ -482,7 +509,7 @@ class GetAdjVarsValF(Message):
         self._start(id=id, tail=tail)
 
 
-class WriteAdjVarsCfg(ReadAdjVarsCfg):
+class WriteAdjVarsCfg(ReadAdjVarsCfg, Request["Confirm"]):
     """Store the RC signals that trigger actions or change adjustable variables.
 
     CMD_WRITE_ADJ_VARS_CFG (44), to the board; 128 bytes, and later firmware may append more.

@@ -4,14 +4,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import ClassVar, Optional, Union
+from typing import TYPE_CHECKING, ClassVar, Optional, Union
 
 from sbgc.fields import BYTES, RAW, REAL, TEXT, Axes, AxesOf, Elements, Field, GroupOf, ListOf
 from sbgc.fields import Structure, ValueOf, Xyz
-from sbgc.message import Message
+from sbgc.message import Message, Request
 from sbgc.msg.enums import *
 from sbgc.msg.packed import *
 from sbgc.values import UNSET
+
+if TYPE_CHECKING:
+    from sbgc.msg import Confirm
 
 __all__ = [
     "AutoPid",
@@ -116,8 +119,11 @@ class AxisTuningConfig(Structure):
         gain: int = UNSET,
         stimulus_gain: int = UNSET,
         effective_freq: float = UNSET,
+        effective_freq_raw: int = UNSET,
         problem_freq: float = UNSET,
+        problem_freq_raw: int = UNSET,
         problem_margin: float = UNSET,
+        problem_margin_raw: int = UNSET,
         reserved: Bytes = UNSET,
     ) -> None:
         self._start(
@@ -125,8 +131,11 @@ class AxisTuningConfig(Structure):
             gain=gain,
             stimulus_gain=stimulus_gain,
             effective_freq=effective_freq,
+            effective_freq_raw=effective_freq_raw,
             problem_freq=problem_freq,
+            problem_freq_raw=problem_freq_raw,
             problem_margin=problem_margin,
+            problem_margin_raw=problem_margin_raw,
             reserved=reserved,
         )
 
@@ -177,9 +186,12 @@ class AutoPid2Config(Structure):
         general_flags: AutoPid2Flags = UNSET,
         reserved_1: Bytes = UNSET,
         test_freq_from: float = UNSET,
+        test_freq_from_raw: int = UNSET,
         test_freq_to: float = UNSET,
+        test_freq_to_raw: int = UNSET,
         multi_pos_flag: TuningPositions = UNSET,
         multi_pos_angle: Iterable[float] = UNSET,
+        multi_pos_angle_raw: Iterable[int] = UNSET,
         reserved_2: Bytes = UNSET,
     ) -> None:
         self._start(
@@ -188,9 +200,12 @@ class AutoPid2Config(Structure):
             general_flags=general_flags,
             reserved_1=reserved_1,
             test_freq_from=test_freq_from,
+            test_freq_from_raw=test_freq_from_raw,
             test_freq_to=test_freq_to,
+            test_freq_to_raw=test_freq_to_raw,
             multi_pos_flag=multi_pos_flag,
             multi_pos_angle=multi_pos_angle,
+            multi_pos_angle_raw=multi_pos_angle_raw,
             reserved_2=reserved_2,
         )
 
@@ -224,12 +239,24 @@ class CoggingMotor(Structure):
         self,
         *,
         angle: float = UNSET,
+        angle_raw: int = UNSET,
         smooth: float = UNSET,
+        smooth_raw: int = UNSET,
         speed: int = UNSET,
         period: float = UNSET,
+        period_raw: int = UNSET,
         reserved: Bytes = UNSET,
     ) -> None:
-        self._start(angle=angle, smooth=smooth, speed=speed, period=period, reserved=reserved)
+        self._start(
+            angle=angle,
+            angle_raw=angle_raw,
+            smooth=smooth,
+            smooth_raw=smooth_raw,
+            speed=speed,
+            period=period,
+            period_raw=period_raw,
+            reserved=reserved,
+        )
 
 
 class BodeSample(Structure):
@@ -247,7 +274,7 @@ class BodeSample(Structure):
         self._start(input=input, output=output)
 
 
-class CalibAcc(Message):
+class CalibAcc(Request["Confirm"]):
     """Calibrate the accelerometer of the active IMU.
 
     Confirmed on reception and again at the end; not at all if a parameter is wrong.
@@ -267,7 +294,7 @@ class CalibAcc(Message):
         self._start(tail=tail)
 
 
-class CalibAccExt(Message):
+class CalibAccExt(Request["Confirm"]):
     """Calibrate the accelerometer of an IMU, or manage its calibrations.
 
     Confirmed on reception and again at the end; not at all if a parameter is wrong.
@@ -302,13 +329,21 @@ class CalibAccExt(Message):
         imu_idx: CalibImu = UNSET,
         action: CalibAction = UNSET,
         time_ms: float = UNSET,
+        time_ms_raw: int = UNSET,
         reserved: Bytes = UNSET,
         tail: Bytes = UNSET,
     ) -> None:
-        self._start(imu_idx=imu_idx, action=action, time_ms=time_ms, reserved=reserved, tail=tail)
+        self._start(
+            imu_idx=imu_idx,
+            action=action,
+            time_ms=time_ms,
+            time_ms_raw=time_ms_raw,
+            reserved=reserved,
+            tail=tail,
+        )
 
 
-class CalibGyro(Message):
+class CalibGyro(Request["Confirm"]):
     """Calibrate the gyroscope of the active IMU.
 
     Confirmed on reception and again at the end; not at all if a parameter is wrong.
@@ -327,7 +362,7 @@ class CalibGyro(Message):
         self._start(tail=tail)
 
 
-class CalibGyroExt(Message):
+class CalibGyroExt(Request["Confirm"]):
     """Calibrate the gyroscope of an IMU, or manage its calibrations.
 
     Confirmed on reception and again at the end; not at all if a parameter is wrong.
@@ -363,13 +398,21 @@ class CalibGyroExt(Message):
         imu_idx: CalibImu = UNSET,
         action: CalibAction = UNSET,
         time_ms: float = UNSET,
+        time_ms_raw: int = UNSET,
         reserved: Bytes = UNSET,
         tail: Bytes = UNSET,
     ) -> None:
-        self._start(imu_idx=imu_idx, action=action, time_ms=time_ms, reserved=reserved, tail=tail)
+        self._start(
+            imu_idx=imu_idx,
+            action=action,
+            time_ms=time_ms,
+            time_ms_raw=time_ms_raw,
+            reserved=reserved,
+            tail=tail,
+        )
 
 
-class CalibMag(Message):
+class CalibMag(Request["Optional[Confirm]"]):
     """Calibrate the magnetometer.
 
     Before: Take the gimbal away from steel and from other motors, and turn the motors off.
@@ -387,7 +430,7 @@ class CalibMag(Message):
         self._start(tail=tail)
 
 
-class CalibMagExt(Message):
+class CalibMagExt(Request["Optional[Confirm]"]):
     """Calibrate the magnetometer of an IMU, or manage its calibrations.
 
     Before: Take the gimbal away from steel and from other motors, and turn the motors off.
@@ -417,13 +460,21 @@ class CalibMagExt(Message):
         imu_idx: CalibImu = UNSET,
         action: CalibAction = UNSET,
         time_ms: float = UNSET,
+        time_ms_raw: int = UNSET,
         reserved: Bytes = UNSET,
         tail: Bytes = UNSET,
     ) -> None:
-        self._start(imu_idx=imu_idx, action=action, time_ms=time_ms, reserved=reserved, tail=tail)
+        self._start(
+            imu_idx=imu_idx,
+            action=action,
+            time_ms=time_ms,
+            time_ms_raw=time_ms_raw,
+            reserved=reserved,
+            tail=tail,
+        )
 
 
-class CalibExtGain(Message):
+class CalibExtGain(Request["Confirm"]):
     """Calibrate the gains of a flight controller's signals.
 
     Before: Connect the flight controller and level the camera. While the calibration runs, tilt
@@ -440,7 +491,7 @@ class CalibExtGain(Message):
         self._start(tail=tail)
 
 
-class CalibPoles(Message):
+class CalibPoles(Request["Confirm"]):
     """Detect the poles and the direction of the motors.
 
     Before: Balance the camera, fasten the frame, and make sure that all axes turn freely: the
@@ -457,7 +508,7 @@ class CalibPoles(Message):
         self._start(tail=tail)
 
 
-class CalibOffset(Message):
+class CalibOffset(Request["Optional[Confirm]"]):
     """Calibrate the follow mode offset.
 
     Before: Level the frame, and turn the camera to the position, relative to the frame, that it
@@ -474,7 +525,7 @@ class CalibOffset(Message):
         self._start(tail=tail)
 
 
-class CalibBat(Message):
+class CalibBat(Request["Optional[Confirm]"]):
     """Calibrate the battery voltage measurement.
 
     Before: Measure the voltage of the battery with a voltmeter, at the connector of the board,
@@ -491,8 +542,14 @@ class CalibBat(Message):
     actual_voltage_raw: Field[int, int] = Field(RAW, of="actual_voltage")
     """The number on the wire for actual_voltage."""
 
-    def __init__(self, *, actual_voltage: float = UNSET, tail: Bytes = UNSET) -> None:
-        self._start(actual_voltage=actual_voltage, tail=tail)
+    def __init__(
+        self,
+        *,
+        actual_voltage: float = UNSET,
+        actual_voltage_raw: int = UNSET,
+        tail: Bytes = UNSET,
+    ) -> None:
+        self._start(actual_voltage=actual_voltage, actual_voltage_raw=actual_voltage_raw, tail=tail)
 
 
 class CalibInfo(Message):
@@ -563,45 +620,61 @@ class CalibInfo(Message):
         self,
         *,
         progress: float = UNSET,
+        progress_raw: int = UNSET,
         imu_type: SelectedImu = UNSET,
         acc_data: Xyz[float] = UNSET,
+        acc_data_raw: Xyz[int] = UNSET,
         gyro_abs_val: int = UNSET,
         acc_cur_axis: int = UNSET,
         acc_limits_info: CalibratedLimits = UNSET,
         imu_temp_cels: float = UNSET,
+        imu_temp_cels_raw: int = UNSET,
         temp_calib_gyro_enabled: int = UNSET,
         temp_calib_gyro_t_min_cels: float = UNSET,
+        temp_calib_gyro_t_min_cels_raw: int = UNSET,
         temp_calib_gyro_t_max_cels: float = UNSET,
+        temp_calib_gyro_t_max_cels_raw: int = UNSET,
         temp_calib_acc_enabled: int = UNSET,
         temp_calib_acc_slot_num: Iterable[int] = UNSET,
         temp_calib_acc_t_min_cels: float = UNSET,
+        temp_calib_acc_t_min_cels_raw: int = UNSET,
         temp_calib_acc_t_max_cels: float = UNSET,
+        temp_calib_acc_t_max_cels_raw: int = UNSET,
         h1_err_length: float = UNSET,
+        h1_err_length_raw: int = UNSET,
         reserved: Bytes = UNSET,
         tail: Bytes = UNSET,
     ) -> None:
         self._start(
             progress=progress,
+            progress_raw=progress_raw,
             imu_type=imu_type,
             acc_data=acc_data,
+            acc_data_raw=acc_data_raw,
             gyro_abs_val=gyro_abs_val,
             acc_cur_axis=acc_cur_axis,
             acc_limits_info=acc_limits_info,
             imu_temp_cels=imu_temp_cels,
+            imu_temp_cels_raw=imu_temp_cels_raw,
             temp_calib_gyro_enabled=temp_calib_gyro_enabled,
             temp_calib_gyro_t_min_cels=temp_calib_gyro_t_min_cels,
+            temp_calib_gyro_t_min_cels_raw=temp_calib_gyro_t_min_cels_raw,
             temp_calib_gyro_t_max_cels=temp_calib_gyro_t_max_cels,
+            temp_calib_gyro_t_max_cels_raw=temp_calib_gyro_t_max_cels_raw,
             temp_calib_acc_enabled=temp_calib_acc_enabled,
             temp_calib_acc_slot_num=temp_calib_acc_slot_num,
             temp_calib_acc_t_min_cels=temp_calib_acc_t_min_cels,
+            temp_calib_acc_t_min_cels_raw=temp_calib_acc_t_min_cels_raw,
             temp_calib_acc_t_max_cels=temp_calib_acc_t_max_cels,
+            temp_calib_acc_t_max_cels_raw=temp_calib_acc_t_max_cels_raw,
             h1_err_length=h1_err_length,
+            h1_err_length_raw=h1_err_length_raw,
             reserved=reserved,
             tail=tail,
         )
 
 
-class CalibInfoRequest(Message):
+class CalibInfoRequest(Request["CalibInfo"]):
     """Request the calibration status.
 
     CMD_CALIB_INFO (49), to the board; 12 bytes. Effect: reads. Since board 3.0. Source:
@@ -641,7 +714,7 @@ class CalibMotorMagLink(Message):
         self._start(data=data, tail=tail)
 
 
-class CalibMotorMagLinkRequest(Message):
+class CalibMotorMagLinkRequest(Request["Optional[Confirm]"]):
     """Undocumented body to the board.
 
     CMD_CALIB_MOTOR_MAG_LINK (74), to the board; 0 to 255 bytes. Effect: unknown. Since board
@@ -657,7 +730,7 @@ class CalibMotorMagLinkRequest(Message):
         self._start(data=data, tail=tail)
 
 
-class EncodersCalibOffset4(Message):
+class EncodersCalibOffset4(Request["Optional[Confirm]"]):
     """Calibrate the offsets of the encoders.
 
     Before: Turn the motors off, and turn the camera by hand to the position in which all motor
@@ -679,7 +752,7 @@ class EncodersCalibOffset4(Message):
         self._start(for_motor=for_motor, tail=tail)
 
 
-class EncodersCalibFldOffset4(Message):
+class EncodersCalibFldOffset4(Request["Optional[Confirm]"]):
     """Calibrate the offsets between encoders and the motors' magnetic fields.
 
     Before: Balance the camera, fasten the frame, and make sure that all axes turn freely: the
@@ -727,13 +800,17 @@ class EncodersCalibFldOffset4(Message):
         self,
         *,
         calib_angle: Optional[Axes[float]] = UNSET,
+        calib_angle_raw: Optional[Axes[int]] = UNSET,
         calib_speed: Optional[Axes[float]] = UNSET,
+        calib_speed_raw: Optional[Axes[int]] = UNSET,
         calib_flags: Optional[FieldOffsetFlags] = UNSET,
         tail: Bytes = UNSET,
     ) -> None:
         self._start(
             calib_angle=calib_angle,
+            calib_angle_raw=calib_angle_raw,
             calib_speed=calib_speed,
+            calib_speed_raw=calib_speed_raw,
             calib_flags=calib_flags,
             tail=tail,
         )
@@ -787,7 +864,7 @@ class AutoPid(Message):
         )
 
 
-class AutoPidRequest(Message):
+class AutoPidRequest(Request["Optional[Confirm]"]):
     """Start or stop the automatic tuning.
 
     With AUTO_PID_CFG_SEND_GUI the board sends CMD_AUTO_PID repeatedly while it tunes. Later
@@ -841,7 +918,7 @@ class AutoPidRequest(Message):
         )
 
 
-class AutoPid2(Message):
+class AutoPid2(Request["Confirm"]):
     """Tune the PID controllers automatically, in later firmware.
 
     The configuration is part of the requests that start the tuning or save it. After the end,
@@ -879,7 +956,7 @@ class AutoPid2(Message):
         self._start(action=action, cmd_flags=cmd_flags, reserved=reserved, config=config, tail=tail)
 
 
-class CalibOrientCorr(Message):
+class CalibOrientCorr(Request["Confirm"]):
     """Calibrate the orientation of the IMU.
 
     According to one source, the board later also sends CMD_READ_PARAMS_EXT2, which holds the
@@ -901,7 +978,7 @@ class CalibOrientCorr(Message):
         self._start(reserved=reserved, tail=tail)
 
 
-class CalibCogging(Message):
+class CalibCogging(Request["Confirm"]):
     """Calibrate the cogging of the motors, or delete this calibration.
 
     Before: Balance the camera, fasten the frame, and make sure that the chosen axes turn
@@ -944,7 +1021,7 @@ class CalibCogging(Message):
         )
 
 
-class CalibAccExtRef(Message):
+class CalibAccExtRef(Request["Confirm"]):
     """Calibrate the accelerometer with an external reference.
 
     Before: Leave the camera completely still, and determine the direction of gravity in the
@@ -969,10 +1046,11 @@ class CalibAccExtRef(Message):
         self,
         *,
         acc_ref: Xyz[float] = UNSET,
+        acc_ref_raw: Xyz[int] = UNSET,
         reserved: Bytes = UNSET,
         tail: Bytes = UNSET,
     ) -> None:
-        self._start(acc_ref=acc_ref, reserved=reserved, tail=tail)
+        self._start(acc_ref=acc_ref, acc_ref_raw=acc_ref_raw, reserved=reserved, tail=tail)
 
 
 class BodeTestStartStop(Message):
@@ -1013,7 +1091,7 @@ class BodeTestStartStop(Message):
         )
 
 
-class BodeTestStartStopRequest(Message):
+class BodeTestStartStopRequest(Request["BodeTestStartStop"]):
     """Start the recording of a frequency response.
 
     The board moves the axis with a stimulus and sends CMD_BODE_TEST_DATA until the end, which
@@ -1057,10 +1135,12 @@ class BodeTestStartStopRequest(Message):
         stimulus_type: BodeStimulus = UNSET,
         stimulus_gain: int = UNSET,
         end_freq: float = UNSET,
+        end_freq_raw: int = UNSET,
         system: BodeSystem = UNSET,
         samples_num: int = UNSET,
         mode: int = UNSET,
         start_freq: float = UNSET,
+        start_freq_raw: int = UNSET,
         reserved: Bytes = UNSET,
         tail: Bytes = UNSET,
     ) -> None:
@@ -1069,10 +1149,12 @@ class BodeTestStartStopRequest(Message):
             stimulus_type=stimulus_type,
             stimulus_gain=stimulus_gain,
             end_freq=end_freq,
+            end_freq_raw=end_freq_raw,
             system=system,
             samples_num=samples_num,
             mode=mode,
             start_freq=start_freq,
+            start_freq_raw=start_freq_raw,
             reserved=reserved,
             tail=tail,
         )
@@ -1143,7 +1225,7 @@ class CoggingCalibInfo(Message):
         self._start(data=data, tail=tail)
 
 
-class CoggingCalibInfoRequest(Message):
+class CoggingCalibInfoRequest(Request["Optional[Confirm]"]):
     """Undocumented body to the board.
 
     CMD_COGGING_CALIB_INFO (92), to the board; 0 to 255 bytes. Effect: unknown. Since firmware
@@ -1175,7 +1257,7 @@ class CanDrvHardParams(Message):
         self._start(data=data, tail=tail)
 
 
-class CanDrvHardParamsRequest(Message):
+class CanDrvHardParamsRequest(Request["Optional[Confirm]"]):
     """Undocumented body to the board.
 
     CMD_CAN_DRV_HARD_PARAMS (97), to the board; 0 to 255 bytes. Effect: unknown. Since firmware
@@ -1207,7 +1289,7 @@ class CanDrvCalibrate(Message):
         self._start(data=data, tail=tail)
 
 
-class CanDrvCalibrateRequest(Message):
+class CanDrvCalibrateRequest(Request["Optional[Confirm]"]):
     """Undocumented body to the board.
 
     CMD_CAN_DRV_CALIBRATE (99), to the board; 0 to 255 bytes. Effect: unknown. Since firmware
@@ -1239,7 +1321,7 @@ class CalibEncoderLut(Message):
         self._start(data=data, tail=tail)
 
 
-class CalibEncoderLutRequest(Message):
+class CalibEncoderLutRequest(Request["Optional[Confirm]"]):
     """Undocumented body to the board.
 
     CMD_CALIB_ENCODER_LUT (117), to the board; 0 to 255 bytes. Effect: unknown. Since firmware
@@ -1271,7 +1353,7 @@ class CalibEncoderLutRes(Message):
         self._start(data=data, tail=tail)
 
 
-class CalibEncoderLutResRequest(Message):
+class CalibEncoderLutResRequest(Request["Optional[Confirm]"]):
     """Undocumented body to the board.
 
     CMD_CALIB_ENCODER_LUT_RES (118), to the board; 0 to 255 bytes. Effect: unknown. Since
@@ -1303,7 +1385,7 @@ class CalibCurSens(Message):
         self._start(data=data, tail=tail)
 
 
-class CalibCurSensRequest(Message):
+class CalibCurSensRequest(Request["Optional[Confirm]"]):
     """Undocumented body to the board.
 
     CMD_CALIB_CUR_SENS (120), to the board; 0 to 255 bytes. Effect: unknown. Since firmware
@@ -1335,7 +1417,7 @@ class EncIntCalib(Message):
         self._start(data=data, tail=tail)
 
 
-class EncIntCalibRequest(Message):
+class EncIntCalibRequest(Request["Optional[Confirm]"]):
     """Undocumented body to the board.
 
     CMD_ENC_INT_CALIB (122), to the board; 0 to 255 bytes. Effect: unknown. Since firmware 2.60.
@@ -1367,7 +1449,7 @@ class VibrationTestStartStop(Message):
         self._start(data=data, tail=tail)
 
 
-class VibrationTestStartStopRequest(Message):
+class VibrationTestStartStopRequest(Request["Optional[Confirm]"]):
     """Undocumented body to the board.
 
     CMD_VIBRATION_TEST_START_STOP (125), to the board; 0 to 255 bytes. Effect: unknown. Since
@@ -1399,7 +1481,7 @@ class VibrationTestData(Message):
         self._start(data=data, tail=tail)
 
 
-class VibrationTestDataRequest(Message):
+class VibrationTestDataRequest(Request["Optional[Confirm]"]):
     """Undocumented body to the board.
 
     CMD_VIBRATION_TEST_DATA (126), to the board; 0 to 255 bytes. Effect: unknown. Since firmware

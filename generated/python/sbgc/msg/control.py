@@ -4,14 +4,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import ClassVar, Optional, Union
+from typing import TYPE_CHECKING, ClassVar, Optional, Union
 
 from sbgc.fields import BYTES, RAW, REAL, TEXT, Axes, AxesOf, Elements, Field, GroupOf, ListOf
 from sbgc.fields import Structure, ValueOf, Xyz
-from sbgc.message import Message
+from sbgc.message import Message, Request
 from sbgc.msg.enums import *
 from sbgc.msg.packed import *
 from sbgc.values import UNSET
+
+if TYPE_CHECKING:
+    from sbgc.msg import Confirm
 
 __all__ = [
     "AxisState",
@@ -71,8 +74,15 @@ class ControlAxis(Structure):
     angle_raw: Field[int, int] = Field(RAW, of="angle")
     """The number on the wire for angle."""
 
-    def __init__(self, *, speed: float = UNSET, angle: float = UNSET) -> None:
-        self._start(speed=speed, angle=angle)
+    def __init__(
+        self,
+        *,
+        speed: float = UNSET,
+        speed_raw: int = UNSET,
+        angle: float = UNSET,
+        angle_raw: int = UNSET,
+    ) -> None:
+        self._start(speed=speed, speed_raw=speed_raw, angle=angle, angle_raw=angle_raw)
 
 
 class ControlExtAxis(Structure):
@@ -123,17 +133,25 @@ class ControlExtAxis(Structure):
         mode: Optional[int] = UNSET,
         flags: Optional[ControlExtFlags] = UNSET,
         speed: Optional[float] = UNSET,
+        speed_raw: Optional[int] = UNSET,
         speed_32: Optional[float] = UNSET,
+        speed_32_raw: Optional[int] = UNSET,
         angle: Optional[float] = UNSET,
+        angle_raw: Optional[int] = UNSET,
         angle_32: Optional[float] = UNSET,
+        angle_32_raw: Optional[int] = UNSET,
     ) -> None:
         self._start(
             mode=mode,
             flags=flags,
             speed=speed,
+            speed_raw=speed_raw,
             speed_32=speed_32,
+            speed_32_raw=speed_32_raw,
             angle=angle,
+            angle_raw=angle_raw,
             angle_32=angle_32,
+            angle_32_raw=angle_32_raw,
         )
 
 
@@ -180,7 +198,9 @@ class ControlConfigAxis(Structure):
         speed_lpf: int = UNSET,
         rc_lpf: int = UNSET,
         acc_limit: float = UNSET,
+        acc_limit_raw: int = UNSET,
         jerk_slope: float = UNSET,
+        jerk_slope_raw: int = UNSET,
         reserved: Bytes = UNSET,
     ) -> None:
         self._start(
@@ -188,7 +208,9 @@ class ControlConfigAxis(Structure):
             speed_lpf=speed_lpf,
             rc_lpf=rc_lpf,
             acc_limit=acc_limit,
+            acc_limit_raw=acc_limit_raw,
             jerk_slope=jerk_slope,
+            jerk_slope_raw=jerk_slope_raw,
             reserved=reserved,
         )
 
@@ -222,10 +244,20 @@ class AxisState(Structure):
         self,
         *,
         imu_angle: float = UNSET,
+        imu_angle_raw: int = UNSET,
         rc_target_angle: float = UNSET,
+        rc_target_angle_raw: int = UNSET,
         rc_speed: float = UNSET,
+        rc_speed_raw: int = UNSET,
     ) -> None:
-        self._start(imu_angle=imu_angle, rc_target_angle=rc_target_angle, rc_speed=rc_speed)
+        self._start(
+            imu_angle=imu_angle,
+            imu_angle_raw=imu_angle_raw,
+            rc_target_angle=rc_target_angle,
+            rc_target_angle_raw=rc_target_angle_raw,
+            rc_speed=rc_speed,
+            rc_speed_raw=rc_speed_raw,
+        )
 
 
 class AxisStateExt(Structure):
@@ -260,19 +292,25 @@ class AxisStateExt(Structure):
         self,
         *,
         imu_angle: float = UNSET,
+        imu_angle_raw: int = UNSET,
         rc_target_angle: float = UNSET,
+        rc_target_angle_raw: int = UNSET,
         stator_rotor_angle: float = UNSET,
+        stator_rotor_angle_raw: int = UNSET,
         reserved: Bytes = UNSET,
     ) -> None:
         self._start(
             imu_angle=imu_angle,
+            imu_angle_raw=imu_angle_raw,
             rc_target_angle=rc_target_angle,
+            rc_target_angle_raw=rc_target_angle_raw,
             stator_rotor_angle=stator_rotor_angle,
+            stator_rotor_angle_raw=stator_rotor_angle_raw,
             reserved=reserved,
         )
 
 
-class Control(Message):
+class Control(Request["Optional[Confirm]"]):
     """Move the camera, with one mode for all axes.
 
     Overrides RC until a command with MODE_NO_CONTROL and zeros. Send at most 50 per second. A
@@ -301,7 +339,7 @@ class Control(Message):
         self._start(control_mode=control_mode, axes=axes, tail=tail)
 
 
-class ControlExt(Message):
+class ControlExt(Request["Optional[Confirm]"]):
     """Move the camera, with a mode for each axis.
 
     Overrides RC until a command with MODE_NO_CONTROL and zeros. Send at most 50 per second. A
@@ -330,7 +368,7 @@ class ControlExt(Message):
         self._start(control_mode=control_mode, axes=axes, tail=tail)
 
 
-class ControlExtCommand(Message):
+class ControlExtCommand(Request["Optional[Confirm]"]):
     """Move the camera, with the data that each axis needs.
 
     Like CMD_CONTROL, but an axis without data keeps its state, and speeds and angles may have
@@ -357,7 +395,7 @@ class ControlExtCommand(Message):
         self._start(data_set=data_set, axes=axes, tail=tail)
 
 
-class ControlConfig(Message):
+class ControlConfig(Request["Optional[Confirm]"]):
     """Configure serial control until the next start.
 
     A control command counts only if no other port has a higher priority. All ports start with
@@ -402,6 +440,7 @@ class ControlConfig(Message):
         self,
         *,
         timeout_ms: float = UNSET,
+        timeout_ms_raw: int = UNSET,
         ch_priority: Iterable[int] = UNSET,
         this_ch_priority: int = UNSET,
         axes: Axes[ControlConfigAxis] = UNSET,
@@ -413,6 +452,7 @@ class ControlConfig(Message):
     ) -> None:
         self._start(
             timeout_ms=timeout_ms,
+            timeout_ms_raw=timeout_ms_raw,
             ch_priority=ch_priority,
             this_ch_priority=this_ch_priority,
             axes=axes,
@@ -424,7 +464,7 @@ class ControlConfig(Message):
         )
 
 
-class ControlQuatDisabled(Message):
+class ControlQuatDisabled(Request["Optional[Confirm]"]):
     """End control with quaternions.
 
     Quaternions are W, X, Y, Z; X is the axis of pitch, Y of roll and Z of yaw.
@@ -450,7 +490,7 @@ class ControlQuatDisabled(Message):
         self._start(mode=mode, flags=flags, tail=tail)
 
 
-class ControlQuatSpeed(Message):
+class ControlQuatSpeed(Request["Optional[Confirm]"]):
     """Turn the camera at a speed.
 
     Quaternions are W, X, Y, Z; X is the axis of pitch, Y of roll and Z of yaw.
@@ -478,12 +518,19 @@ class ControlQuatSpeed(Message):
         mode: ControlQuatMode = UNSET,
         flags: ControlQuatFlags = UNSET,
         target_speed: Xyz[float] = UNSET,
+        target_speed_raw: Xyz[float] = UNSET,
         tail: Bytes = UNSET,
     ) -> None:
-        self._start(mode=mode, flags=flags, target_speed=target_speed, tail=tail)
+        self._start(
+            mode=mode,
+            flags=flags,
+            target_speed=target_speed,
+            target_speed_raw=target_speed_raw,
+            tail=tail,
+        )
 
 
-class ControlQuatAttitude(Message):
+class ControlQuatAttitude(Request["Optional[Confirm]"]):
     """Turn the camera to an attitude.
 
     Quaternions are W, X, Y, Z; X is the axis of pitch, Y of roll and Z of yaw.
@@ -512,7 +559,7 @@ class ControlQuatAttitude(Message):
         self._start(mode=mode, flags=flags, target_attitude=target_attitude, tail=tail)
 
 
-class ControlQuatAttitudePacked(Message):
+class ControlQuatAttitudePacked(Request["Optional[Confirm]"]):
     """Turn the camera to an attitude, packed.
 
     Quaternions are W, X, Y, Z; X is the axis of pitch, Y of roll and Z of yaw.
@@ -541,7 +588,7 @@ class ControlQuatAttitudePacked(Message):
         self._start(mode=mode, flags=flags, target_attitude=target_attitude, tail=tail)
 
 
-class ControlQuatSpeedAttitude(Message):
+class ControlQuatSpeedAttitude(Request["Optional[Confirm]"]):
     """Turn the camera at a speed and hold it to an attitude.
 
     Quaternions are W, X, Y, Z; X is the axis of pitch, Y of roll and Z of yaw.
@@ -572,6 +619,7 @@ class ControlQuatSpeedAttitude(Message):
         flags: ControlQuatFlags = UNSET,
         target_attitude: Iterable[float] = UNSET,
         target_speed: Xyz[float] = UNSET,
+        target_speed_raw: Xyz[float] = UNSET,
         tail: Bytes = UNSET,
     ) -> None:
         self._start(
@@ -579,11 +627,12 @@ class ControlQuatSpeedAttitude(Message):
             flags=flags,
             target_attitude=target_attitude,
             target_speed=target_speed,
+            target_speed_raw=target_speed_raw,
             tail=tail,
         )
 
 
-class ControlQuatSpeedAttitudePacked(Message):
+class ControlQuatSpeedAttitudePacked(Request["Optional[Confirm]"]):
     """Turn the camera at a speed and hold it to an attitude, packed.
 
     Quaternions are W, X, Y, Z; X is the axis of pitch, Y of roll and Z of yaw.
@@ -614,6 +663,7 @@ class ControlQuatSpeedAttitudePacked(Message):
         flags: ControlQuatFlags = UNSET,
         target_attitude: int = UNSET,
         target_speed: Xyz[float] = UNSET,
+        target_speed_raw: Xyz[float] = UNSET,
         tail: Bytes = UNSET,
     ) -> None:
         self._start(
@@ -621,6 +671,7 @@ class ControlQuatSpeedAttitudePacked(Message):
             flags=flags,
             target_attitude=target_attitude,
             target_speed=target_speed,
+            target_speed_raw=target_speed_raw,
             tail=tail,
         )
 
@@ -736,8 +787,11 @@ class ControlQuatStatus(Message):
         setpoint_attitude: Optional[Iterable[float]] = UNSET,
         actual_attitude: Optional[Iterable[float]] = UNSET,
         target_speed: Optional[Xyz[float]] = UNSET,
+        target_speed_raw: Optional[Xyz[int]] = UNSET,
         setpoint_speed: Optional[Xyz[float]] = UNSET,
+        setpoint_speed_raw: Optional[Xyz[int]] = UNSET,
         actual_speed: Optional[Xyz[float]] = UNSET,
+        actual_speed_raw: Optional[Xyz[int]] = UNSET,
         target_attitude_packed: Optional[int] = UNSET,
         setpoint_attitude_packed: Optional[int] = UNSET,
         actual_attitude_packed: Optional[int] = UNSET,
@@ -752,8 +806,11 @@ class ControlQuatStatus(Message):
             setpoint_attitude=setpoint_attitude,
             actual_attitude=actual_attitude,
             target_speed=target_speed,
+            target_speed_raw=target_speed_raw,
             setpoint_speed=setpoint_speed,
+            setpoint_speed_raw=setpoint_speed_raw,
             actual_speed=actual_speed,
+            actual_speed_raw=actual_speed_raw,
             target_attitude_packed=target_attitude_packed,
             setpoint_attitude_packed=setpoint_attitude_packed,
             actual_attitude_packed=actual_attitude_packed,
@@ -761,7 +818,7 @@ class ControlQuatStatus(Message):
         )
 
 
-class ControlQuatStatusRequest(Message):
+class ControlQuatStatusRequest(Request["ControlQuatStatus"]):
     """Request the state of the control with quaternions.
 
     CMD_CONTROL_QUAT_STATUS (141), to the board; 4 bytes. Effect: reads. Since firmware 2.73.
@@ -787,7 +844,7 @@ class ControlQuatStatusRequest(Message):
         self._start(data_set=data_set, reserved=reserved, tail=tail)
 
 
-class ControlQuatConfig(Message):
+class ControlQuatConfig(Request["Confirm"]):
     """Configure the control with quaternions.
 
     CMD_CONTROL_QUAT_CONFIG (142), to the board; 2 to 24 bytes. Effect: sets. Since firmware
@@ -874,21 +931,31 @@ class ControlQuatConfig(Message):
         *,
         data_set: ControlQuatConfigFields = UNSET,
         max_speed: Optional[Xyz[float]] = UNSET,
+        max_speed_raw: Optional[Xyz[int]] = UNSET,
         acc_limit: Optional[Xyz[float]] = UNSET,
+        acc_limit_raw: Optional[Xyz[int]] = UNSET,
         jerk_slope: Optional[Xyz[float]] = UNSET,
+        jerk_slope_raw: Optional[Xyz[int]] = UNSET,
         flags: Optional[ControlQuatConfigFlags] = UNSET,
         attitude_lpf_freq: Optional[float] = UNSET,
+        attitude_lpf_freq_raw: Optional[int] = UNSET,
         speed_lpf_freq: Optional[float] = UNSET,
+        speed_lpf_freq_raw: Optional[int] = UNSET,
         tail: Bytes = UNSET,
     ) -> None:
         self._start(
             data_set=data_set,
             max_speed=max_speed,
+            max_speed_raw=max_speed_raw,
             acc_limit=acc_limit,
+            acc_limit_raw=acc_limit_raw,
             jerk_slope=jerk_slope,
+            jerk_slope_raw=jerk_slope_raw,
             flags=flags,
             attitude_lpf_freq=attitude_lpf_freq,
+            attitude_lpf_freq_raw=attitude_lpf_freq_raw,
             speed_lpf_freq=speed_lpf_freq,
+            speed_lpf_freq_raw=speed_lpf_freq_raw,
             tail=tail,
         )
 
@@ -909,7 +976,7 @@ class GetAngles(Message):
         self._start(axes=axes, tail=tail)
 
 
-class GetAnglesRequest(Message):
+class GetAnglesRequest(Request["GetAngles"]):
     """Request camera angles and targets.
 
     CMD_GET_ANGLES (73), to the board; 0 bytes. Effect: reads. Source: Outgoing commands
@@ -939,7 +1006,7 @@ class GetAnglesExt(Message):
         self._start(axes=axes, tail=tail)
 
 
-class GetAnglesExtRequest(Message):
+class GetAnglesExtRequest(Request["GetAnglesExt"]):
     """Request angles, targets and joint angles.
 
     CMD_GET_ANGLES_EXT (61), to the board; 0 bytes. Effect: reads. Since board 3.0. Source:
@@ -953,7 +1020,7 @@ class GetAnglesExtRequest(Message):
         self._start(tail=tail)
 
 
-class MotorsOn(Message):
+class MotorsOn(Request["Confirm"]):
     """Turn the motors on.
 
     CMD_MOTORS_ON (77), to the board; 0 bytes. Effect: moves. Source: Outgoing commands
@@ -967,7 +1034,7 @@ class MotorsOn(Message):
         self._start(tail=tail)
 
 
-class MotorsOff(Message):
+class MotorsOff(Request["Confirm"]):
     """Turn the motors off.
 
     CMD_MOTORS_OFF (109), to the board, simple form; 0 bytes. Effect: moves. Source: Outgoing
@@ -981,7 +1048,7 @@ class MotorsOff(Message):
         self._start(tail=tail)
 
 
-class MotorsOffExt(Message):
+class MotorsOffExt(Request["Confirm"]):
     """Turn the motors off, in one of several ways.
 
     CMD_MOTORS_OFF (109), to the board, extended form; 1 byte. Effect: moves. Since firmware
@@ -997,7 +1064,7 @@ class MotorsOffExt(Message):
         self._start(mode=mode, tail=tail)
 
 
-class SyncMotors(Message):
+class SyncMotors(Request["Confirm"]):
     """Power one motor as a synchronous motor for some time, then turn the motors off.
 
     CMD_SYNC_MOTORS (123), to the board; 6 bytes. Effect: moves. Since firmware 2.70b9. Source:
@@ -1025,10 +1092,18 @@ class SyncMotors(Message):
         axis: SyncMotorAxis = UNSET,
         power: int = UNSET,
         time_ms: float = UNSET,
+        time_ms_raw: int = UNSET,
         angle: int = UNSET,
         tail: Bytes = UNSET,
     ) -> None:
-        self._start(axis=axis, power=power, time_ms=time_ms, angle=angle, tail=tail)
+        self._start(
+            axis=axis,
+            power=power,
+            time_ms=time_ms,
+            time_ms_raw=time_ms_raw,
+            angle=angle,
+            tail=tail,
+        )
 
 
 class Event(Message):
@@ -1058,7 +1133,7 @@ class Event(Message):
         self._start(event_id=event_id, event_type=event_type, param=param, tail=tail)
 
 
-class ExecuteMenu(Message):
+class ExecuteMenu(Request["Optional[Confirm]"]):
     """Execute a menu action.
 
     CMD_EXECUTE_MENU (69), to the board, simple form; 1 byte. Effect: sets, stores, moves,
@@ -1074,7 +1149,7 @@ class ExecuteMenu(Message):
         self._start(cmd_id=cmd_id, tail=tail)
 
 
-class ExecuteMenuExt(Message):
+class ExecuteMenuExt(Request["Optional[Confirm]"]):
     """Execute a menu action and say when to confirm it.
 
     CMD_EXECUTE_MENU (69), to the board, extended form; 2 bytes. Effect: sets, stores, moves,
@@ -1098,7 +1173,7 @@ class ExecuteMenuExt(Message):
         self._start(cmd_id=cmd_id, param=param, tail=tail)
 
 
-class HelperData(Message):
+class HelperData(Request["Optional[Confirm]"]):
     """Report acceleration and tilt of the frame to the board.
 
     CMD_HELPER_DATA (72), to the board, simple form; 10 bytes. Effect: moves. Source: Outgoing
@@ -1128,19 +1203,25 @@ class HelperData(Message):
         self,
         *,
         frame_acc: Xyz[float] = UNSET,
+        frame_acc_raw: Xyz[int] = UNSET,
         frame_angle_roll: float = UNSET,
+        frame_angle_roll_raw: int = UNSET,
         frame_angle_pitch: float = UNSET,
+        frame_angle_pitch_raw: int = UNSET,
         tail: Bytes = UNSET,
     ) -> None:
         self._start(
             frame_acc=frame_acc,
+            frame_acc_raw=frame_acc_raw,
             frame_angle_roll=frame_angle_roll,
+            frame_angle_roll_raw=frame_angle_roll_raw,
             frame_angle_pitch=frame_angle_pitch,
+            frame_angle_pitch_raw=frame_angle_pitch_raw,
             tail=tail,
         )
 
 
-class HelperDataExt(Message):
+class HelperDataExt(Request["Optional[Confirm]"]):
     """Report acceleration, tilt and rotation of the frame to the board.
 
     CMD_HELPER_DATA (72), to the board, extended form; 20 bytes. Effect: moves. Since firmware
@@ -1190,21 +1271,31 @@ class HelperDataExt(Message):
         self,
         *,
         frame_acc: Xyz[float] = UNSET,
+        frame_acc_raw: Xyz[int] = UNSET,
         frame_angle_roll: float = UNSET,
+        frame_angle_roll_raw: int = UNSET,
         frame_angle_pitch: float = UNSET,
+        frame_angle_pitch_raw: int = UNSET,
         coord_sys: int = UNSET,
         frame_speed: Xyz[float] = UNSET,
+        frame_speed_raw: Xyz[int] = UNSET,
         frame_heading: float = UNSET,
+        frame_heading_raw: int = UNSET,
         reserved: Bytes = UNSET,
         tail: Bytes = UNSET,
     ) -> None:
         self._start(
             frame_acc=frame_acc,
+            frame_acc_raw=frame_acc_raw,
             frame_angle_roll=frame_angle_roll,
+            frame_angle_roll_raw=frame_angle_roll_raw,
             frame_angle_pitch=frame_angle_pitch,
+            frame_angle_pitch_raw=frame_angle_pitch_raw,
             coord_sys=coord_sys,
             frame_speed=frame_speed,
+            frame_speed_raw=frame_speed_raw,
             frame_heading=frame_heading,
+            frame_heading_raw=frame_heading_raw,
             reserved=reserved,
             tail=tail,
         )

@@ -4,14 +4,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import ClassVar, Optional, Union
+from typing import TYPE_CHECKING, ClassVar, Optional, Union
 
 from sbgc.fields import BYTES, RAW, REAL, TEXT, Axes, AxesOf, Elements, Field, GroupOf, ListOf
 from sbgc.fields import Structure, ValueOf, Xyz
-from sbgc.message import Message
+from sbgc.message import Message, Request
 from sbgc.msg.enums import *
 from sbgc.msg.packed import *
 from sbgc.values import UNSET
+
+if TYPE_CHECKING:
+    from sbgc.msg import Confirm
 
 __all__ = [
     "DebugVarInfo",
@@ -69,7 +72,7 @@ class DebugVarsInfo3(Message):
         self._start(vars=vars, tail=tail)
 
 
-class DebugVarsInfo3Request(Message):
+class DebugVarsInfo3Request(Request["DebugVarsInfo3"]):
     """Request the names and types of the debug variables.
 
     CMD_DEBUG_VARS_INFO_3 (253), to the board; 0 or 1 byte. Effect: reads. Since board 3.0.
@@ -105,7 +108,7 @@ class DebugVars3(Message):
         self._start(var_value=var_value, tail=tail)
 
 
-class DebugVars3Request(Message):
+class DebugVars3Request(Request["DebugVars3"]):
     """Request the values of the debug variables.
 
     CMD_DEBUG_VARS_3 (254), to the board, simple form; 0 bytes. Effect: reads. Since board 3.0.
@@ -119,7 +122,7 @@ class DebugVars3Request(Message):
         self._start(tail=tail)
 
 
-class DebugVars3RequestSelected(Message):
+class DebugVars3RequestSelected(Request["None"]):
     """Request the values of selected debug variables.
 
     The response begins with the same masks; then come the values of the selected variables.
@@ -162,6 +165,7 @@ class SetDebugPort(Message):
         self,
         *,
         time_ms: float = UNSET,
+        time_ms_raw: int = UNSET,
         port_and_dir: int = UNSET,
         cmd_id: int = UNSET,
         payload: Bytes = UNSET,
@@ -169,6 +173,7 @@ class SetDebugPort(Message):
     ) -> None:
         self._start(
             time_ms=time_ms,
+            time_ms_raw=time_ms_raw,
             port_and_dir=port_and_dir,
             cmd_id=cmd_id,
             payload=payload,
@@ -176,7 +181,7 @@ class SetDebugPort(Message):
         )
 
 
-class SetDebugPortRequest(Message):
+class SetDebugPortRequest(Request["Confirm"]):
     """Start or stop the copies of the messages on the board's other ports.
 
     CMD_SET_DEBUG_PORT (249), to the board; 16 bytes. Effect: sets. Since firmware 2.60. Source:

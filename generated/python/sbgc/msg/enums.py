@@ -3,9 +3,7 @@
 
 from __future__ import annotations
 
-from enum import IntFlag
-
-from sbgc.values import OpenEnum
+from sbgc.values import Flags8, Flags16, Flags32, OpenEnum
 
 __all__ = [
     "AdaptivePidAxes",
@@ -2368,7 +2366,7 @@ class DebugPortAction(OpenEnum):
     """Copy messages to this port."""
 
 
-class BoardFeatures(IntFlag):
+class BoardFeatures(Flags16):
     """Features of the board's hardware and firmware."""
 
     BOARD_FEATURE_3AXIS = 0x01
@@ -2405,7 +2403,7 @@ class BoardFeatures(IntFlag):
     """Has a large flash memory."""
 
 
-class BoardFeaturesExt(IntFlag):
+class BoardFeaturesExt(Flags16):
     """More features of the board's hardware and firmware."""
 
     EXT_IMU = 0x01
@@ -2424,7 +2422,7 @@ class BoardFeaturesExt(IntFlag):
     """Corrects encoders with a lookup table."""
 
 
-class BoardFeaturesExt2(IntFlag):
+class BoardFeaturesExt2(Flags32):
     """Features of the board from firmware 2.73 on."""
 
     PLUS_VER = 0x01
@@ -2439,7 +2437,7 @@ class BoardFeaturesExt2(IntFlag):
     """Has a fourth analog input."""
 
 
-class BoardStateFlags(IntFlag):
+class BoardStateFlags(Flags8):
     """State of the board."""
 
     DEBUG_MODE = 0x01
@@ -2456,14 +2454,14 @@ class BoardStateFlags(IntFlag):
     """Power management is on."""
 
 
-class HardwareFlags(IntFlag):
+class HardwareFlags(Flags16):
     """Hardware on the board."""
 
     ONE_WIRE_CRYPTO_IC = 0x01
     """A one-wire crypto chip is installed."""
 
 
-class StoredProfileSets(IntFlag):
+class StoredProfileSets(Flags8):
     """Profile sets in the board's memory."""
 
     PROFILE_SET1 = 0x01
@@ -2480,14 +2478,14 @@ class StoredProfileSets(IntFlag):
     """The backup."""
 
 
-class ConnectionFlags(IntFlag):
+class ConnectionFlags(Flags8):
     """How the host is connected to the board."""
 
     CONNECTION_USB = 0x01
     """The host is connected over USB, not over a UART."""
 
 
-class ResetOptions(IntFlag):
+class ResetOptions(Flags8):
     """What the board does before a restart."""
 
     NOTIFY = 0x01
@@ -2496,7 +2494,7 @@ class ResetOptions(IntFlag):
     """Keep the state and restore it after the restart; not for CMD_BOOT_MODE_3."""
 
 
-class PassProtectFlags(IntFlag):
+class PassProtectFlags(Flags32):
     """What a password protects."""
 
     ENCRYPT_PARAMS = 0x02
@@ -2529,7 +2527,7 @@ class PassProtectFlags(IntFlag):
     """Port 6 accepts control without the password, by the name."""
 
 
-class FilterSwitches(IntFlag):
+class FilterSwitches(Flags8):
     """Enabled filters of an axis; 0 disables all."""
 
     EN_NOTCH1 = 0x01
@@ -2542,7 +2540,7 @@ class FilterSwitches(IntFlag):
     """Low-pass filter."""
 
 
-class EncoderFlags(IntFlag):
+class EncoderFlags(Flags8):
     """Options in the upper half of the encoder type byte."""
 
     SKIP_DETECTION = 0x10
@@ -2551,7 +2549,7 @@ class EncoderFlags(IntFlag):
     """There is a gear between motor and encoder."""
 
 
-class BeeperModes(IntFlag):
+class BeeperModes(Flags8):
     """When the board makes a sound."""
 
     BEEPER_MODE_CALIBRATE = 0x01
@@ -2566,7 +2564,7 @@ class BeeperModes(IntFlag):
     """The motors make the sound instead of the buzzer."""
 
 
-class AdaptivePidAxes(IntFlag):
+class AdaptivePidAxes(Flags8):
     """Axes with adaptive PID control; 0 disables it."""
 
     EN_ROLL = 0x01
@@ -2577,7 +2575,7 @@ class AdaptivePidAxes(IntFlag):
     """Yaw."""
 
 
-class GeneralFlags(IntFlag):
+class GeneralFlags(Flags16):
     """Options of the whole board."""
 
     REMEMBER_LAST_USED_PROFILE = 0x01
@@ -2614,7 +2612,7 @@ class GeneralFlags(IntFlag):
     """Invert the RC signals while the frame is upside down. Since firmware 2.66."""
 
 
-class GeneralFlags2(IntFlag):
+class GeneralFlags2(Flags16):
     """More options of the whole board."""
 
     SEARCH_LIMIT_ROLL = 0x01
@@ -2651,7 +2649,7 @@ class GeneralFlags2(IntFlag):
     """The IMU on the board may be the main IMU. Since firmware 2.67b2."""
 
 
-class ProfileFlags(IntFlag):
+class ProfileFlags(Flags16):
     """Options of one profile."""
 
     ADC1_AUTO_DETECTION = 0x01
@@ -2686,7 +2684,7 @@ class ProfileFlags(IntFlag):
     """The camera may work upside down. Unconfirmed."""
 
 
-class ParkingBorders(IntFlag):
+class ParkingBorders(Flags8):
     """Limits at which an axis parks."""
 
     ROLL_NEG = 0x01
@@ -2703,7 +2701,7 @@ class ParkingBorders(IntFlag):
     """The upper limit of yaw."""
 
 
-class EulerOrderFlags(IntFlag):
+class EulerOrderFlags(Flags8):
     """Options of the order of the Euler angles."""
 
     CONTROL_LOCAL_XYZ = 0x10
@@ -2714,7 +2712,7 @@ class EulerOrderFlags(IntFlag):
     """
 
 
-class ExtImuFlags(IntFlag):
+class ExtImuFlags(Flags16):
     """Use of the external IMU."""
 
     ACC_COMP_ONLY = 0x02
@@ -2733,7 +2731,7 @@ class ExtImuFlags(IntFlag):
     """Correct the gyroscope. Since firmware 2.68b7."""
 
 
-class GeneralFlags3(IntFlag):
+class GeneralFlags3(Flags32):
     """Still more options of the whole board."""
 
     ENC_LUT_EN_ROLL = 0x01
@@ -2794,7 +2792,7 @@ class GeneralFlags3(IntFlag):
     """Servo output 2 of the CAN IMU sets the duty cycle."""
 
 
-class GeneralFlags4(IntFlag):
+class GeneralFlags4(Flags32):
     """The last options of the whole board."""
 
     ACC_LIMIT_BY_MOMENTUM = 0x01
@@ -2807,7 +2805,7 @@ class GeneralFlags4(IntFlag):
     """The rotation of the motors determines the initial Euler angles. Unconfirmed."""
 
 
-class ProfileFlags2(IntFlag):
+class ProfileFlags2(Flags16):
     """More options of one profile."""
 
     FOLLOW_PITCH_DISABLED = 0x01
@@ -2842,7 +2840,7 @@ class ProfileFlags2(IntFlag):
     """Pitch and yaw have their own RC dead band and expo rate."""
 
 
-class ProfileFlags3(IntFlag):
+class ProfileFlags3(Flags32):
     """Still more options of one profile."""
 
     ACC_LIMIT_AUTO_R = 0x01
@@ -2861,7 +2859,7 @@ class ProfileFlags3(IntFlag):
     """Correct long errors of yaw."""
 
 
-class SystemErrors(IntFlag):
+class SystemErrors(Flags16):
     """Errors detected by the board."""
 
     ERR_NO_SENSOR = 0x01
@@ -2890,14 +2888,14 @@ class SystemErrors(IntFlag):
     """Emergency stop; SYSTEM_SUB_ERROR gives the reason."""
 
 
-class OtherFlags(IntFlag):
+class OtherFlags(Flags8):
     """State of the motors."""
 
     MOTORS_ON = 0x01
     """The motors are on."""
 
 
-class RealtimeDataCustomFlags(IntFlag):
+class RealtimeDataCustomFlags(Flags32):
     """Data blocks of CMD_REALTIME_DATA_CUSTOM."""
 
     IMU_ANGLES = 0x01
@@ -2964,7 +2962,7 @@ class RealtimeDataCustomFlags(IntFlag):
     """FLAGS in each sample."""
 
 
-class RealtimeDataCustom2Flags(IntFlag):
+class RealtimeDataCustom2Flags(Flags32):
     """Data blocks of CMD_REALTIME_DATA_CUSTOM2."""
 
     FRAME_IMU_ANGLES = 0x01
@@ -2985,7 +2983,7 @@ class RealtimeDataCustom2Flags(IntFlag):
     """FLAGS in each sample."""
 
 
-class StateFlags(IntFlag):
+class StateFlags(Flags32):
     """State of the system."""
 
     DEBUG_MODE = 0x01
@@ -3016,7 +3014,7 @@ class StateFlags(IntFlag):
     """The camera is in its retracted position. Since firmware 2.74."""
 
 
-class MotorPowerFlags(IntFlag):
+class MotorPowerFlags(Flags16):
     """State of a motor."""
 
     SW_LIMIT_VIOLATED = 0x01
@@ -3027,7 +3025,7 @@ class MotorPowerFlags(IntFlag):
     """The driver is enabled."""
 
 
-class SystemPowerFlags(IntFlag):
+class SystemPowerFlags(Flags16):
     """Problems with the motors or their drivers."""
 
     SW_LIMIT_VIOLATED = 0x01
@@ -3040,7 +3038,7 @@ class SystemPowerFlags(IntFlag):
     """A motor driver failed. Unconfirmed."""
 
 
-class CanErrorFlags(IntFlag):
+class CanErrorFlags(Flags8):
     """State of the CAN bus."""
 
     WARN = 0x01
@@ -3051,7 +3049,7 @@ class CanErrorFlags(IntFlag):
     """The controller has left the bus."""
 
 
-class CanDrvTelemetryFlags(IntFlag):
+class CanDrvTelemetryFlags(Flags32):
     """Data of CMD_CAN_DRV_TELEMETRY."""
 
     CAN_BUS_FLAGS = 0x01
@@ -3086,7 +3084,7 @@ class CanDrvTelemetryFlags(IntFlag):
     """Error of the current controller."""
 
 
-class CanDrvPins(IntFlag):
+class CanDrvPins(Flags8):
     """Pins of a CAN motor driver."""
 
     LIMIT = 0x01
@@ -3107,7 +3105,7 @@ class CanDrvPins(IntFlag):
     """Selects the encoder on the SPI bus."""
 
 
-class ControlFlags(IntFlag):
+class ControlFlags(Flags8):
     """Options in the upper half of a control mode byte."""
 
     CONTROL_FLAG_MIX_FOLLOW = 0x10
@@ -3127,7 +3125,7 @@ class ControlFlags(IntFlag):
     """Speeds are in 0.001 deg/s. Since firmware 2.59."""
 
 
-class ControlExtFields(IntFlag):
+class ControlExtFields(Flags16):
     """Data of CMD_CONTROL_EXT: five bits for each axis, the last of which is not used."""
 
     ROLL_SPEED = 0x01
@@ -3156,14 +3154,14 @@ class ControlExtFields(IntFlag):
     """The speed of yaw has 32 bits. Since firmware 2.72."""
 
 
-class ControlExtFlags(IntFlag):
+class ControlExtFlags(Flags8):
     """Further options of the motion of an axis."""
 
     DISABLE_ANGLE_ERR_CORR = 0x01
     """Do not correct deviations from the target angle, as with an OUTER_P of 0."""
 
 
-class ControlConfigFlags(IntFlag):
+class ControlConfigFlags(Flags16):
     """Options of serial control."""
 
     CONTROL_CONFIG_FLAG_NO_CONFIRM = 0x01
@@ -3178,7 +3176,7 @@ class ControlConfigFlags(IntFlag):
     """The filters are frequencies in Hz, by the name. Since firmware 2.74.1."""
 
 
-class ControlQuatFlags(IntFlag):
+class ControlQuatFlags(Flags8):
     """Options of CMD_CONTROL_QUAT."""
 
     CONFIRM = 0x01
@@ -3196,7 +3194,7 @@ class ControlQuatFlags(IntFlag):
     """
 
 
-class ControlQuatStatusFlags(IntFlag):
+class ControlQuatStatusFlags(Flags16):
     """Options of the current control with quaternions."""
 
     CONFIRM = 0x01
@@ -3211,7 +3209,7 @@ class ControlQuatStatusFlags(IntFlag):
     """The motion is an automatic task."""
 
 
-class ControlQuatStatusFields(IntFlag):
+class ControlQuatStatusFields(Flags16):
     """Data of CMD_CONTROL_QUAT_STATUS."""
 
     MODE = 0x01
@@ -3236,7 +3234,7 @@ class ControlQuatStatusFields(IntFlag):
     """Measured attitude, packed."""
 
 
-class ControlQuatConfigFields(IntFlag):
+class ControlQuatConfigFields(Flags16):
     """Data of CMD_CONTROL_QUAT_CONFIG."""
 
     MAX_SPEED = 0x01
@@ -3253,14 +3251,14 @@ class ControlQuatConfigFields(IntFlag):
     """Low-pass filter of the speed."""
 
 
-class ControlQuatConfigFlags(IntFlag):
+class ControlQuatConfigFlags(Flags16):
     """Options of the motion profile of CMD_CONTROL_QUAT."""
 
     MOTION_PROFILE_SPLIT_XYZ = 0x01
     """Each axis has its own profile. Otherwise the profile of X applies along the shortest way."""
 
 
-class HelperDataFlags(IntFlag):
+class HelperDataFlags(Flags8):
     """Options of CMD_HELPER_DATA."""
 
     EULER_ORDER_ROLL_PITCH_YAW = 0x40
@@ -3269,7 +3267,7 @@ class HelperDataFlags(IntFlag):
     """The heading of the frame is given. Since firmware 2.62b7."""
 
 
-class ExecuteMenuFlags(IntFlag):
+class ExecuteMenuFlags(Flags8):
     """Confirmations of CMD_EXECUTE_MENU."""
 
     CONFIRM = 0x01
@@ -3278,7 +3276,7 @@ class ExecuteMenuFlags(IntFlag):
     """Confirm the end of the action."""
 
 
-class EventTypes(IntFlag):
+class EventTypes(Flags8):
     """Kind of an event."""
 
     OFF = 0x01
@@ -3289,7 +3287,7 @@ class EventTypes(IntFlag):
     """It continues."""
 
 
-class ExtMotors(IntFlag):
+class ExtMotors(Flags8):
     """External motors."""
 
     MOTOR1 = 0x01
@@ -3308,7 +3306,7 @@ class ExtMotors(IntFlag):
     """Motor 7."""
 
 
-class ExtMotorTargets(IntFlag):
+class ExtMotorTargets(Flags8):
     """External motors of a command, and whether to confirm it."""
 
     MOTOR1 = 0x01
@@ -3329,7 +3327,7 @@ class ExtMotorTargets(IntFlag):
     """Confirm the command."""
 
 
-class ExtMotorsControlFields(IntFlag):
+class ExtMotorsControlFields(Flags8):
     """Format of CMD_EXT_MOTORS_CONTROL."""
 
     SETPOINT_32BIT = 0x01
@@ -3340,7 +3338,7 @@ class ExtMotorsControlFields(IntFlag):
     """A parameter follows each setpoint, with 32 bits."""
 
 
-class ExtMotorsControlConfigFields(IntFlag):
+class ExtMotorsControlConfigFields(Flags16):
     """Data of CMD_EXT_MOTORS_CONTROL_CONFIG."""
 
     MODE = 0x01
@@ -3355,7 +3353,7 @@ class ExtMotorsControlConfigFields(IntFlag):
     """Torque limit."""
 
 
-class ExtMotorsStateFields(IntFlag):
+class ExtMotorsStateFields(Flags32):
     """Data of CMD_EXT_MOTORS_STATE."""
 
     CONTROL_MODE = 0x01
@@ -3400,14 +3398,14 @@ class ExtMotorsStateFields(IntFlag):
     """Temperature of the driver."""
 
 
-class ExtMotorPins(IntFlag):
+class ExtMotorPins(Flags16):
     """Pins of the driver of an external motor."""
 
     INDEX_PIN_STATE = 0x04
     """The index pin is active. Unconfirmed."""
 
 
-class AutoPidFlags(IntFlag):
+class AutoPidFlags(Flags8):
     """Options of automatic PID tuning."""
 
     AUTO_PID_STOP = 0x00
@@ -3428,7 +3426,7 @@ class AutoPidFlags(IntFlag):
     """Store the result in all profiles."""
 
 
-class CalibratedLimits(IntFlag):
+class CalibratedLimits(Flags8):
     """Calibrated directions of the accelerometer."""
 
     PLUS_X = 0x01
@@ -3445,7 +3443,7 @@ class CalibratedLimits(IntFlag):
     """Limit -Z."""
 
 
-class FieldOffsetFlags(IntFlag):
+class FieldOffsetFlags(Flags16):
     """Checks that the calibration of field offsets omits."""
 
     IGNORE_IMU_CHECK = 0x01
@@ -3454,7 +3452,7 @@ class FieldOffsetFlags(IntFlag):
     """Do not check the encoder."""
 
 
-class CoggingAxes(IntFlag):
+class CoggingAxes(Flags8):
     """Motors whose cogging to calibrate."""
 
     ROLL = 0x01
@@ -3465,14 +3463,14 @@ class CoggingAxes(IntFlag):
     """The yaw motor."""
 
 
-class AutoPid2CommandFlags(IntFlag):
+class AutoPid2CommandFlags(Flags16):
     """Options of CMD_AUTO_PID2."""
 
     SEND_CONFIG = 0x01
     """Send the configuration when the tuning ends."""
 
 
-class AutoPid2Flags(IntFlag):
+class AutoPid2Flags(Flags16):
     """Options of the automatic tuning of later firmware."""
 
     START_FROM_CURRENT = 0x01
@@ -3489,7 +3487,7 @@ class AutoPid2Flags(IntFlag):
     """Tune the gains at each start-up."""
 
 
-class TuningPositions(IntFlag):
+class TuningPositions(Flags8):
     """Positions in which to tune."""
 
     POSITION1 = 0x01
@@ -3502,14 +3500,14 @@ class TuningPositions(IntFlag):
     """Position 4."""
 
 
-class ExtSensOptions(IntFlag):
+class ExtSensOptions(Flags8):
     """Options of CMD_EXT_SENS_CMD."""
 
     HIGH_PRIORITY = 0x01
     """Forward the command before others."""
 
 
-class AhrsHelperMode(IntFlag):
+class AhrsHelperMode(Flags8):
     """Operation of CMD_AHRS_HELPER. Without SET it is a query, in which only FRAME_IMU matters."""
 
     SET = 0x01
@@ -3528,7 +3526,7 @@ class AhrsHelperMode(IntFlag):
     """Use H1_VECTOR only."""
 
 
-class AhrsHelperWideMode(IntFlag):
+class AhrsHelperWideMode(Flags16):
     """Operation of the forms of CMD_AHRS_HELPER with a two-byte mode. Without SET they are queries.
     """
 
@@ -3558,7 +3556,7 @@ class AhrsHelperWideMode(IntFlag):
     """Turn the correction off. Since firmware 2.70b1."""
 
 
-class BeepModes(IntFlag):
+class BeepModes(Flags16):
     """Sounds of CMD_BEEP_SOUND."""
 
     BEEPER_MODE_CALIBRATE = 0x01
@@ -3577,7 +3575,7 @@ class BeepModes(IntFlag):
     """The notes of this message."""
 
 
-class ServoOutputs(IntFlag):
+class ServoOutputs(Flags32):
     """Servo outputs of the board and of its CAN motor drivers."""
 
     SERVO1 = 0x01
@@ -3618,21 +3616,21 @@ class ServoOutputs(IntFlag):
     """Second pin of CAN motor driver 7."""
 
 
-class RcInputOptions(IntFlag):
+class RcInputOptions(Flags16):
     """Options of CMD_READ_RC_INPUTS."""
 
     INIT_IF_NEEDED = 0x01
     """Initialize each input that is not in use yet."""
 
 
-class DebugVarFlags(IntFlag):
+class DebugVarFlags(Flags8):
     """Properties of a debug variable."""
 
     VAR_FLAG_ANGLE14 = 0x40
     """An angle, 16384 counts per turn."""
 
 
-class DebugPortCommands(IntFlag):
+class DebugPortCommands(Flags32):
     """Frequent messages to filter on the debug port."""
 
     REALTIME_DATA_3 = 0x01

@@ -4,14 +4,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import ClassVar, Optional, Union
+from typing import TYPE_CHECKING, ClassVar, Optional, Union
 
 from sbgc.fields import BYTES, RAW, REAL, TEXT, Axes, AxesOf, Elements, Field, GroupOf, ListOf
 from sbgc.fields import Structure, ValueOf, Xyz
-from sbgc.message import Message
+from sbgc.message import Message, Request
 from sbgc.msg.enums import *
 from sbgc.msg.packed import *
 from sbgc.values import UNSET
+
+if TYPE_CHECKING:
+    from sbgc.msg import Confirm
 
 __all__ = [
     "ExtMotorsAction",
@@ -88,7 +91,7 @@ class ExtMotorTarget32(Structure):
         self._start(setpoint=setpoint, param1=param1)
 
 
-class ExtMotorsAction(Message):
+class ExtMotorsAction(Request["Optional[Confirm]"]):
     """Turn external motors on or off, or move them to their home position.
 
     CMD_EXT_MOTORS_ACTION (128), to the board; 2 to 255 bytes. Effect: moves. Since firmware
@@ -115,7 +118,7 @@ class ExtMotorsAction(Message):
         self._start(for_motors=for_motors, action=action, args=args, tail=tail)
 
 
-class ExtMotorsControl(Message):
+class ExtMotorsControl(Request["Optional[Confirm]"]):
     """Set targets of external motors.
 
     One of the lists is present, with one element for each motor in FOR_MOTORS. The mode of a
@@ -203,7 +206,7 @@ class ExtMotorsControl(Message):
         )
 
 
-class ExtMotorsControlConfig(Message):
+class ExtMotorsControlConfig(Request["Optional[Confirm]"]):
     """Configure external motors.
 
     CMD_EXT_MOTORS_CONTROL_CONFIG (130), to the board; 3 to 12 bytes. Effect: sets. Since
@@ -255,8 +258,11 @@ class ExtMotorsControlConfig(Message):
         data_set: ExtMotorsControlConfigFields = UNSET,
         mode: Optional[ExtMotorMode] = UNSET,
         max_speed: Optional[float] = UNSET,
+        max_speed_raw: Optional[int] = UNSET,
         max_acceleration: Optional[float] = UNSET,
+        max_acceleration_raw: Optional[int] = UNSET,
         jerk_slope: Optional[float] = UNSET,
+        jerk_slope_raw: Optional[int] = UNSET,
         max_torque: Optional[int] = UNSET,
         tail: Bytes = UNSET,
     ) -> None:
@@ -265,8 +271,11 @@ class ExtMotorsControlConfig(Message):
             data_set=data_set,
             mode=mode,
             max_speed=max_speed,
+            max_speed_raw=max_speed_raw,
             max_acceleration=max_acceleration,
+            max_acceleration_raw=max_acceleration_raw,
             jerk_slope=jerk_slope,
+            jerk_slope_raw=jerk_slope_raw,
             max_torque=max_torque,
             tail=tail,
         )
@@ -423,22 +432,37 @@ class ExtMotorsState(Message):
         torque: Optional[int] = UNSET,
         torque_setpoint: Optional[int] = UNSET,
         speed16: Optional[float] = UNSET,
+        speed16_raw: Optional[int] = UNSET,
         speed16_setpoint: Optional[float] = UNSET,
+        speed16_setpoint_raw: Optional[int] = UNSET,
         speed32: Optional[float] = UNSET,
+        speed32_raw: Optional[int] = UNSET,
         speed32_setpoint: Optional[float] = UNSET,
+        speed32_setpoint_raw: Optional[int] = UNSET,
         angle16: Optional[float] = UNSET,
+        angle16_raw: Optional[int] = UNSET,
         angle16_setpoint: Optional[float] = UNSET,
+        angle16_setpoint_raw: Optional[int] = UNSET,
         angle32: Optional[float] = UNSET,
+        angle32_raw: Optional[int] = UNSET,
         angle32_setpoint: Optional[float] = UNSET,
+        angle32_setpoint_raw: Optional[int] = UNSET,
         state_flags: Optional[int] = UNSET,
         max_speed: Optional[float] = UNSET,
+        max_speed_raw: Optional[int] = UNSET,
         max_acceleration: Optional[float] = UNSET,
+        max_acceleration_raw: Optional[int] = UNSET,
         jerk_slope: Optional[float] = UNSET,
+        jerk_slope_raw: Optional[int] = UNSET,
         max_torque: Optional[int] = UNSET,
         current: Optional[float] = UNSET,
+        current_raw: Optional[int] = UNSET,
         battery_voltage: Optional[float] = UNSET,
+        battery_voltage_raw: Optional[int] = UNSET,
         motor_temperature: Optional[float] = UNSET,
+        motor_temperature_raw: Optional[int] = UNSET,
         driver_temperature: Optional[float] = UNSET,
+        driver_temperature_raw: Optional[int] = UNSET,
         tail: Bytes = UNSET,
     ) -> None:
         self._start(
@@ -448,27 +472,42 @@ class ExtMotorsState(Message):
             torque=torque,
             torque_setpoint=torque_setpoint,
             speed16=speed16,
+            speed16_raw=speed16_raw,
             speed16_setpoint=speed16_setpoint,
+            speed16_setpoint_raw=speed16_setpoint_raw,
             speed32=speed32,
+            speed32_raw=speed32_raw,
             speed32_setpoint=speed32_setpoint,
+            speed32_setpoint_raw=speed32_setpoint_raw,
             angle16=angle16,
+            angle16_raw=angle16_raw,
             angle16_setpoint=angle16_setpoint,
+            angle16_setpoint_raw=angle16_setpoint_raw,
             angle32=angle32,
+            angle32_raw=angle32_raw,
             angle32_setpoint=angle32_setpoint,
+            angle32_setpoint_raw=angle32_setpoint_raw,
             state_flags=state_flags,
             max_speed=max_speed,
+            max_speed_raw=max_speed_raw,
             max_acceleration=max_acceleration,
+            max_acceleration_raw=max_acceleration_raw,
             jerk_slope=jerk_slope,
+            jerk_slope_raw=jerk_slope_raw,
             max_torque=max_torque,
             current=current,
+            current_raw=current_raw,
             battery_voltage=battery_voltage,
+            battery_voltage_raw=battery_voltage_raw,
             motor_temperature=motor_temperature,
+            motor_temperature_raw=motor_temperature_raw,
             driver_temperature=driver_temperature,
+            driver_temperature_raw=driver_temperature_raw,
             tail=tail,
         )
 
 
-class ExtMotorsStateRequest(Message):
+class ExtMotorsStateRequest(Request["ExtMotorsState"]):
     """Request the state of external motors.
 
     The board answers once for each motor.

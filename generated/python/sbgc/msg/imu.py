@@ -4,14 +4,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import ClassVar, Optional, Union
+from typing import TYPE_CHECKING, ClassVar, Optional, Union
 
 from sbgc.fields import BYTES, RAW, REAL, TEXT, Axes, AxesOf, Elements, Field, GroupOf, ListOf
 from sbgc.fields import Structure, ValueOf, Xyz
-from sbgc.message import Message
+from sbgc.message import Message, Request
 from sbgc.msg.enums import *
 from sbgc.msg.packed import *
 from sbgc.values import UNSET
+
+if TYPE_CHECKING:
+    from sbgc.msg import Confirm
 
 __all__ = [
     "AhrsDebugInfo",
@@ -86,33 +89,45 @@ class AhrsDebugInfo(Structure):
         main_imu_ref_src: int = UNSET,
         frame_imu_ref_src: int = UNSET,
         main_z_err: float = UNSET,
+        main_z_err_raw: int = UNSET,
         main_h_err: float = UNSET,
+        main_h_err_raw: int = UNSET,
         frame_z_err: float = UNSET,
+        frame_z_err_raw: int = UNSET,
         frame_h_err: float = UNSET,
+        frame_h_err_raw: int = UNSET,
         ext_imu_status: int = UNSET,
         ext_imu_packets: int = UNSET,
         ext_imu_parse_err: int = UNSET,
         ext_corr_h_err: float = UNSET,
+        ext_corr_h_err_raw: int = UNSET,
         ext_corr_z_err: float = UNSET,
+        ext_corr_z_err_raw: int = UNSET,
         reserved: Bytes = UNSET,
     ) -> None:
         self._start(
             main_imu_ref_src=main_imu_ref_src,
             frame_imu_ref_src=frame_imu_ref_src,
             main_z_err=main_z_err,
+            main_z_err_raw=main_z_err_raw,
             main_h_err=main_h_err,
+            main_h_err_raw=main_h_err_raw,
             frame_z_err=frame_z_err,
+            frame_z_err_raw=frame_z_err_raw,
             frame_h_err=frame_h_err,
+            frame_h_err_raw=frame_h_err_raw,
             ext_imu_status=ext_imu_status,
             ext_imu_packets=ext_imu_packets,
             ext_imu_parse_err=ext_imu_parse_err,
             ext_corr_h_err=ext_corr_h_err,
+            ext_corr_h_err_raw=ext_corr_h_err_raw,
             ext_corr_z_err=ext_corr_z_err,
+            ext_corr_z_err_raw=ext_corr_z_err_raw,
             reserved=reserved,
         )
 
 
-class SelectImu3(Message):
+class SelectImu3(Request["Optional[Confirm]"]):
     """Select the IMU to configure and calibrate.
 
     CMD_SELECT_IMU_3 (24), to the board, simple form; 1 byte. Effect: sets. Since board 3.0.
@@ -128,7 +143,7 @@ class SelectImu3(Message):
         self._start(imu_type=imu_type, tail=tail)
 
 
-class SelectImu3Ext(Message):
+class SelectImu3Ext(Request["Optional[Confirm]"]):
     """Select an IMU, with parameters that no source describes.
 
     CMD_SELECT_IMU_3 (24), to the board, extended form; 2 to 10 bytes. Effect: sets. Since
@@ -155,7 +170,7 @@ class SelectImu3Ext(Message):
         self._start(imu_type=imu_type, param=param, params=params, tail=tail)
 
 
-class SelectImu3CalibrateShort(Message):
+class SelectImu3CalibrateShort(Request["Optional[Confirm]"]):
     """The same, with one byte less.
 
     CMD_SELECT_IMU_3 (24), to the board, calibrate_short form; 11 bytes. Effect: stores,
@@ -181,13 +196,21 @@ class SelectImu3CalibrateShort(Message):
         imu_type: CalibImu = UNSET,
         action: CalibAction = UNSET,
         time_ms: float = UNSET,
+        time_ms_raw: int = UNSET,
         reserved: Bytes = UNSET,
         tail: Bytes = UNSET,
     ) -> None:
-        self._start(imu_type=imu_type, action=action, time_ms=time_ms, reserved=reserved, tail=tail)
+        self._start(
+            imu_type=imu_type,
+            action=action,
+            time_ms=time_ms,
+            time_ms_raw=time_ms_raw,
+            reserved=reserved,
+            tail=tail,
+        )
 
 
-class SelectImu3Calibrate(Message):
+class SelectImu3Calibrate(Request["Optional[Confirm]"]):
     """Select an IMU and calibrate it, or manage its calibrations.
 
     CMD_SELECT_IMU_3 (24), to the board, calibrate form; 12 bytes. Effect: stores, restarts,
@@ -213,10 +236,18 @@ class SelectImu3Calibrate(Message):
         imu_type: CalibImu = UNSET,
         action: CalibAction = UNSET,
         time_ms: float = UNSET,
+        time_ms_raw: int = UNSET,
         reserved: Bytes = UNSET,
         tail: Bytes = UNSET,
     ) -> None:
-        self._start(imu_type=imu_type, action=action, time_ms=time_ms, reserved=reserved, tail=tail)
+        self._start(
+            imu_type=imu_type,
+            action=action,
+            time_ms=time_ms,
+            time_ms_raw=time_ms_raw,
+            reserved=reserved,
+            tail=tail,
+        )
 
 
 class AhrsHelper(Message):
@@ -245,7 +276,7 @@ class AhrsHelper(Message):
         self._start(z1_vector=z1_vector, h1_vector=h1_vector, tail=tail)
 
 
-class AhrsHelperRequest(Message):
+class AhrsHelperRequest(Request["AhrsHelper"]):
     """Query the attitude of an IMU.
 
     MODE 0 queries the main IMU, 2 the frame IMU.
@@ -264,7 +295,7 @@ class AhrsHelperRequest(Message):
         self._start(mode=mode, tail=tail)
 
 
-class AhrsHelperRequestWide(Message):
+class AhrsHelperRequestWide(Request["AhrsHelper"]):
     """Query the attitude of an IMU, with a two-byte mode.
 
     MODE 0 queries the main IMU, 2 the frame IMU.
@@ -282,7 +313,7 @@ class AhrsHelperRequestWide(Message):
         self._start(mode=mode, tail=tail)
 
 
-class AhrsHelperRequestExt(Message):
+class AhrsHelperRequestExt(Request["Optional[Union[Confirm, AhrsHelper]]"]):
     """Query or set the attitude of an IMU.
 
     A higher-grade IMU can replace or correct the board's own: send 50 to 100 of these messages
@@ -320,7 +351,7 @@ class AhrsHelperRequestExt(Message):
         self._start(mode=mode, z1_vector=z1_vector, h1_vector=h1_vector, tail=tail)
 
 
-class AhrsHelperRequestExtWide(Message):
+class AhrsHelperRequestExtWide(Request["Optional[Union[Confirm, AhrsHelper]]"]):
     """Query or set the attitude of an IMU, with a two-byte mode.
 
     The useful values of MODE are those of AhrsHelperRequestExt.
@@ -353,7 +384,7 @@ class AhrsHelperRequestExtWide(Message):
         self._start(mode=mode, z1_vector=z1_vector, h1_vector=h1_vector, tail=tail)
 
 
-class GyroCorrection(Message):
+class GyroCorrection(Request["Optional[Confirm]"]):
     """Correct the zero of a gyroscope manually; the camera drifts if the correction is wrong.
 
     CMD_GYRO_CORRECTION (75), to the board; 9 bytes. Effect: stores, moves. Since board 3.0.
@@ -383,13 +414,17 @@ class GyroCorrection(Message):
         *,
         imu_type: ImuIndex = UNSET,
         gyro_zero_corr: Xyz[float] = UNSET,
+        gyro_zero_corr_raw: Xyz[int] = UNSET,
         gyro_zero_heading_corr: float = UNSET,
+        gyro_zero_heading_corr_raw: int = UNSET,
         tail: Bytes = UNSET,
     ) -> None:
         self._start(
             imu_type=imu_type,
             gyro_zero_corr=gyro_zero_corr,
+            gyro_zero_corr_raw=gyro_zero_corr_raw,
             gyro_zero_heading_corr=gyro_zero_heading_corr,
+            gyro_zero_heading_corr_raw=gyro_zero_heading_corr_raw,
             tail=tail,
         )
 
@@ -421,7 +456,7 @@ class ExtImuDebugInfo(Message):
         self._start(ahrs_debug_info=ahrs_debug_info, dcm=dcm, acc_body=acc_body, tail=tail)
 
 
-class ExtImuDebugInfoRequest(Message):
+class ExtImuDebugInfoRequest(Request["ExtImuDebugInfo"]):
     """Request the state of the attitude estimation and of the external IMU.
 
     CMD_EXT_IMU_DEBUG_INFO (106), to the board; 0 bytes. Effect: reads. Since firmware 2.66.
@@ -435,7 +470,7 @@ class ExtImuDebugInfoRequest(Message):
         self._start(tail=tail)
 
 
-class ExtImuCmd(Message):
+class ExtImuCmd(Request["Optional[Confirm]"]):
     """A message of the external IMU.
 
     CMD_EXT_IMU_CMD (110), in both directions; 1 to 255 bytes. Since firmware 2.60. Source:
@@ -477,7 +512,7 @@ class ExtSensCmd(Message):
         self._start(cmd_id=cmd_id, data=data, tail=tail)
 
 
-class ExtSensCmdRequest(Message):
+class ExtSensCmdRequest(Request["Optional[Confirm]"]):
     """Forward a command to an external sensor.
 
     CMD_EXT_SENS_CMD (150), to the board; 2 to 255 bytes. Effect: sets, stores, moves. Since
@@ -520,7 +555,7 @@ class ImuAdvancedCalib(Message):
         self._start(data=data, tail=tail)
 
 
-class ImuAdvancedCalibRequest(Message):
+class ImuAdvancedCalibRequest(Request["Optional[Confirm]"]):
     """Undocumented body to the board.
 
     CMD_IMU_ADVANCED_CALIB (115), to the board; 0 to 255 bytes. Effect: unknown. Since firmware

@@ -4,14 +4,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import ClassVar, Optional, Union
+from typing import TYPE_CHECKING, ClassVar, Optional, Union
 
 from sbgc.fields import BYTES, RAW, REAL, TEXT, Axes, AxesOf, Elements, Field, GroupOf, ListOf
 from sbgc.fields import Structure, ValueOf, Xyz
-from sbgc.message import Message
+from sbgc.message import Message, Request
 from sbgc.msg.enums import *
 from sbgc.msg.packed import *
 from sbgc.values import UNSET
+
+if TYPE_CHECKING:
+    from sbgc.msg import Confirm
 
 __all__ = [
     "CanDevice",
@@ -106,7 +109,7 @@ class ModuleList(Message):
         self._start(modules=modules, tail=tail)
 
 
-class ModuleListRequest(Message):
+class ModuleListRequest(Request["ModuleList"]):
     """Request the list of the modules connected to the board.
 
     CMD_MODULE_LIST (76), to the board; 0 bytes. Effect: reads. Since firmware 2.60. Source:
@@ -136,7 +139,7 @@ class CanDeviceScan(Message):
         self._start(devices=devices, tail=tail)
 
 
-class CanDeviceScanRequest(Message):
+class CanDeviceScanRequest(Request["CanDeviceScan"]):
     """Search for devices on the CAN bus.
 
     Without devices the answer is empty.
@@ -170,7 +173,7 @@ class TransparentSapi(Message):
         self._start(target=target, payload=payload, tail=tail)
 
 
-class TransparentSapiRequest(Message):
+class TransparentSapiRequest(Request["None"]):
     """Send data to a serial port of a device on the CAN bus.
 
     The effect is that of the data. The device's own data come at any time.
@@ -190,7 +193,7 @@ class TransparentSapiRequest(Message):
         self._start(target=target, payload=payload, tail=tail)
 
 
-class ModuleFlashStart(Message):
+class ModuleFlashStart(Request["Confirm"]):
     """Begin to load new firmware into a module.
 
     It is the module that restarts, to take its firmware; what it drives has no power meanwhile.
@@ -215,12 +218,18 @@ class ModuleFlashStart(Message):
         *,
         device_id: ModuleId = UNSET,
         firmware_size: float = UNSET,
+        firmware_size_raw: int = UNSET,
         tail: Bytes = UNSET,
     ) -> None:
-        self._start(device_id=device_id, firmware_size=firmware_size, tail=tail)
+        self._start(
+            device_id=device_id,
+            firmware_size=firmware_size,
+            firmware_size_raw=firmware_size_raw,
+            tail=tail,
+        )
 
 
-class ModuleFlashWrite(Message):
+class ModuleFlashWrite(Request["Confirm"]):
     """Load a part of new firmware into a module.
 
     A host waits for the confirmation before the next part, and never repeats a part.
@@ -262,7 +271,7 @@ class ModuleFlashWrite(Message):
         )
 
 
-class ModuleFlashFinish(Message):
+class ModuleFlashFinish(Request["Confirm"]):
     """End the loading of firmware into a module.
 
     CMD_MODULE_FLASH_FINISH (83), to the board; 5 bytes. Effect: stores. Since firmware 2.74.5.
@@ -286,7 +295,7 @@ class ModuleFlashFinish(Message):
         self._start(device_id=device_id, file_crc32=file_crc32, tail=tail)
 
 
-class UdrvDeviceScan(Message):
+class UdrvDeviceScan(Request["CanDeviceScan"]):
     """Search for uDrv modules and give them ids.
 
     The board detects the connection of the IMU and stores the ids that it assigns.
@@ -302,7 +311,7 @@ class UdrvDeviceScan(Message):
         self._start(tail=tail)
 
 
-class SetTranspProxy(Message):
+class SetTranspProxy(Request["None"]):
     """Connect two serial ports of the board.
 
     Afterwards each port passes its bytes to the other one and no longer speaks this protocol.
@@ -342,7 +351,7 @@ class UartBypass(Message):
         self._start(data=data, tail=tail)
 
 
-class UartBypassRequest(Message):
+class UartBypassRequest(Request["Optional[Confirm]"]):
     """Undocumented body to the board.
 
     CMD_UART_BYPASS (60), to the board; 0 to 255 bytes. Effect: unknown. Since firmware 2.50,
@@ -374,7 +383,7 @@ class SetDeviceAddr(Message):
         self._start(data=data, tail=tail)
 
 
-class SetDeviceAddrRequest(Message):
+class SetDeviceAddrRequest(Request["Optional[Confirm]"]):
     """Undocumented body to the board.
 
     CMD_SET_DEVICE_ADDR (107), to the board; 0 to 255 bytes. Effect: unknown. Since firmware
@@ -406,7 +415,7 @@ class SerialProxy(Message):
         self._start(data=data, tail=tail)
 
 
-class SerialProxyRequest(Message):
+class SerialProxyRequest(Request["Optional[Confirm]"]):
     """Undocumented body to the board.
 
     CMD_SERIAL_PROXY (113), to the board; 0 to 255 bytes. Effect: unknown. Since firmware 2.60.

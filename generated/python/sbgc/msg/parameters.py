@@ -4,14 +4,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import ClassVar, Optional, Union
+from typing import TYPE_CHECKING, ClassVar, Optional, Union
 
 from sbgc.fields import BYTES, RAW, REAL, TEXT, Axes, AxesOf, Elements, Field, GroupOf, ListOf
 from sbgc.fields import Structure, ValueOf, Xyz
-from sbgc.message import Message
+from sbgc.message import Message, Request
 from sbgc.msg.enums import *
 from sbgc.msg.packed import *
 from sbgc.values import UNSET
+
+if TYPE_CHECKING:
+    from sbgc.msg import Confirm
 
 __all__ = [
     "AxisNotches",
@@ -70,12 +73,13 @@ class AxisPid(Structure):
         *,
         p: int = UNSET,
         i: float = UNSET,
+        i_raw: int = UNSET,
         d: int = UNSET,
         power: int = UNSET,
         invert: int = UNSET,
         poles: int = UNSET,
     ) -> None:
-        self._start(p=p, i=i, d=d, power=power, invert=invert, poles=poles)
+        self._start(p=p, i=i, i_raw=i_raw, d=d, power=power, invert=invert, poles=poles)
 
 
 class AxisRc(Structure):
@@ -111,7 +115,9 @@ class AxisRc(Structure):
         self,
         *,
         rc_min_angle: float = UNSET,
+        rc_min_angle_raw: int = UNSET,
         rc_max_angle: float = UNSET,
+        rc_max_angle_raw: int = UNSET,
         rc_mode: int = UNSET,
         rc_lpf: int = UNSET,
         rc_speed: int = UNSET,
@@ -119,7 +125,9 @@ class AxisRc(Structure):
     ) -> None:
         self._start(
             rc_min_angle=rc_min_angle,
+            rc_min_angle_raw=rc_min_angle_raw,
             rc_max_angle=rc_max_angle,
+            rc_max_angle_raw=rc_max_angle_raw,
             rc_mode=rc_mode,
             rc_lpf=rc_lpf,
             rc_speed=rc_speed,
@@ -146,9 +154,16 @@ class AxisNotches(Structure):
         self,
         *,
         notch_freq: Iterable[float] = UNSET,
+        notch_freq_raw: Iterable[int] = UNSET,
         notch_width: Iterable[float] = UNSET,
+        notch_width_raw: Iterable[int] = UNSET,
     ) -> None:
-        self._start(notch_freq=notch_freq, notch_width=notch_width)
+        self._start(
+            notch_freq=notch_freq,
+            notch_freq_raw=notch_freq_raw,
+            notch_width=notch_width,
+            notch_width_raw=notch_width_raw,
+        )
 
 
 class MavChannel(Structure):
@@ -227,14 +242,20 @@ class RcCalibration(Structure):
         *,
         rc_calib_src: int = UNSET,
         rc_calib_offset: float = UNSET,
+        rc_calib_offset_raw: int = UNSET,
         rc_calib_neg_scale: float = UNSET,
+        rc_calib_neg_scale_raw: int = UNSET,
         rc_calib_pos_scale: float = UNSET,
+        rc_calib_pos_scale_raw: int = UNSET,
     ) -> None:
         self._start(
             rc_calib_src=rc_calib_src,
             rc_calib_offset=rc_calib_offset,
+            rc_calib_offset_raw=rc_calib_offset_raw,
             rc_calib_neg_scale=rc_calib_neg_scale,
+            rc_calib_neg_scale_raw=rc_calib_neg_scale_raw,
             rc_calib_pos_scale=rc_calib_pos_scale,
+            rc_calib_pos_scale_raw=rc_calib_pos_scale_raw,
         )
 
 
@@ -418,6 +439,7 @@ class ReadParams3(Message):
         profile_id: int = UNSET,
         axes: Axes[AxisPid] = UNSET,
         acc_limiter_all: float = UNSET,
+        acc_limiter_all_raw: int = UNSET,
         ext_fc_gain_roll: int = UNSET,
         ext_fc_gain_pitch: int = UNSET,
         rc: Axes[AxisRc] = UNSET,
@@ -445,6 +467,7 @@ class ReadParams3(Message):
         frame_axis_right: SensorAxis = UNSET,
         frame_imu_pos: FrameImuPosition = UNSET,
         gyro_deadband: float = UNSET,
+        gyro_deadband_raw: int = UNSET,
         gyro_sens: int = UNSET,
         i2c_internal_pullups: int = UNSET,
         skip_gyro_calib: SkipGyroCalibration = UNSET,
@@ -455,17 +478,24 @@ class ReadParams3(Message):
         menu_cmd_long: MenuCommand = UNSET,
         output: Axes[MotorOutput] = UNSET,
         bat_threshold_alarm: float = UNSET,
+        bat_threshold_alarm_raw: int = UNSET,
         bat_threshold_motors: float = UNSET,
+        bat_threshold_motors_raw: int = UNSET,
         bat_comp_ref: float = UNSET,
+        bat_comp_ref_raw: int = UNSET,
         beeper_modes: BeeperModes = UNSET,
         follow_roll_mix_start: float = UNSET,
+        follow_roll_mix_start_raw: int = UNSET,
         follow_roll_mix_range: float = UNSET,
+        follow_roll_mix_range_raw: int = UNSET,
         booster_power: Axes[int] = UNSET,
         follow_speed: Axes[int] = UNSET,
         frame_angle_from_motors: int = UNSET,
         rc_memory: Axes[float] = UNSET,
+        rc_memory_raw: Axes[int] = UNSET,
         servo_out: Iterable[int] = UNSET,
         servo_rate: float = UNSET,
+        servo_rate_raw: int = UNSET,
         adaptive_pid_enabled: AdaptivePidAxes = UNSET,
         adaptive_pid_threshold: int = UNSET,
         adaptive_pid_rate: int = UNSET,
@@ -484,6 +514,7 @@ class ReadParams3(Message):
             profile_id=profile_id,
             axes=axes,
             acc_limiter_all=acc_limiter_all,
+            acc_limiter_all_raw=acc_limiter_all_raw,
             ext_fc_gain_roll=ext_fc_gain_roll,
             ext_fc_gain_pitch=ext_fc_gain_pitch,
             rc=rc,
@@ -511,6 +542,7 @@ class ReadParams3(Message):
             frame_axis_right=frame_axis_right,
             frame_imu_pos=frame_imu_pos,
             gyro_deadband=gyro_deadband,
+            gyro_deadband_raw=gyro_deadband_raw,
             gyro_sens=gyro_sens,
             i2c_internal_pullups=i2c_internal_pullups,
             skip_gyro_calib=skip_gyro_calib,
@@ -521,17 +553,24 @@ class ReadParams3(Message):
             menu_cmd_long=menu_cmd_long,
             output=output,
             bat_threshold_alarm=bat_threshold_alarm,
+            bat_threshold_alarm_raw=bat_threshold_alarm_raw,
             bat_threshold_motors=bat_threshold_motors,
+            bat_threshold_motors_raw=bat_threshold_motors_raw,
             bat_comp_ref=bat_comp_ref,
+            bat_comp_ref_raw=bat_comp_ref_raw,
             beeper_modes=beeper_modes,
             follow_roll_mix_start=follow_roll_mix_start,
+            follow_roll_mix_start_raw=follow_roll_mix_start_raw,
             follow_roll_mix_range=follow_roll_mix_range,
+            follow_roll_mix_range_raw=follow_roll_mix_range_raw,
             booster_power=booster_power,
             follow_speed=follow_speed,
             frame_angle_from_motors=frame_angle_from_motors,
             rc_memory=rc_memory,
+            rc_memory_raw=rc_memory_raw,
             servo_out=servo_out,
             servo_rate=servo_rate,
+            servo_rate_raw=servo_rate_raw,
             adaptive_pid_enabled=adaptive_pid_enabled,
             adaptive_pid_threshold=adaptive_pid_threshold,
             adaptive_pid_rate=adaptive_pid_rate,
@@ -548,7 +587,7 @@ class ReadParams3(Message):
         )
 
 
-class ReadParams3Request(Message):
+class ReadParams3Request(Request["ReadParams3"]):
     """Request the parameters of one profile.
 
     CMD_READ_PARAMS_3 (21), to the board; 1 byte. Effect: reads. Since board 3.0. Source:
@@ -566,7 +605,7 @@ class ReadParams3Request(Message):
         self._start(profile_id=profile_id, tail=tail)
 
 
-class ReadParams(Message):
+class ReadParams(Request["ReadParamsAnswer"]):
     """Request the parameters of one profile, with the older id.
 
     CMD_READ_PARAMS (82), to the board; 1 byte. Effect: reads. Deprecated: use
@@ -717,23 +756,34 @@ class ReadParamsExt(Message):
         profile_id: int = UNSET,
         notches: Axes[AxisNotches] = UNSET,
         lpf_freq: Axes[float] = UNSET,
+        lpf_freq_raw: Axes[int] = UNSET,
         filters_en: Axes[FilterSwitches] = UNSET,
         encoder_offset: Axes[float] = UNSET,
+        encoder_offset_raw: Axes[int] = UNSET,
         encoder_fld_offset: Axes[float] = UNSET,
+        encoder_fld_offset_raw: Axes[int] = UNSET,
         encoder_manual_set_time: Axes[float] = UNSET,
+        encoder_manual_set_time_raw: Axes[int] = UNSET,
         motor_heating_factor: Axes[int] = UNSET,
         motor_cooling_factor: Axes[int] = UNSET,
         reserved: Bytes = UNSET,
         follow_inside_deadband: int = UNSET,
         motor_mag_link: Axes[int] = UNSET,
         motor_gearing: Axes[float] = UNSET,
+        motor_gearing_raw: Axes[int] = UNSET,
         encoder_limit_min: Axes[float] = UNSET,
+        encoder_limit_min_raw: Axes[int] = UNSET,
         encoder_limit_max: Axes[float] = UNSET,
+        encoder_limit_max_raw: Axes[int] = UNSET,
         notch1_gain: Axes[float] = UNSET,
+        notch1_gain_raw: Axes[int] = UNSET,
         notch2_gain: Axes[float] = UNSET,
+        notch2_gain_raw: Axes[int] = UNSET,
         notch3_gain: Axes[float] = UNSET,
+        notch3_gain_raw: Axes[int] = UNSET,
         beeper_volume: int = UNSET,
         encoder_gear_ratio: Axes[float] = UNSET,
+        encoder_gear_ratio_raw: Axes[int] = UNSET,
         encoder_type: Axes[EncoderType] = UNSET,
         encoder_cfg: Axes[EncoderConfig] = UNSET,
         outer_p: Axes[int] = UNSET,
@@ -742,31 +792,45 @@ class ReadParamsExt(Message):
         mag_axis_right: SensorAxis = UNSET,
         mag_trust: int = UNSET,
         mag_declination: float = UNSET,
+        mag_declination_raw: int = UNSET,
         acc_lpf_freq: float = UNSET,
+        acc_lpf_freq_raw: int = UNSET,
         d_term_lpf_freq: Axes[float] = UNSET,
+        d_term_lpf_freq_raw: Axes[int] = UNSET,
         tail: Bytes = UNSET,
     ) -> None:
         self._start(
             profile_id=profile_id,
             notches=notches,
             lpf_freq=lpf_freq,
+            lpf_freq_raw=lpf_freq_raw,
             filters_en=filters_en,
             encoder_offset=encoder_offset,
+            encoder_offset_raw=encoder_offset_raw,
             encoder_fld_offset=encoder_fld_offset,
+            encoder_fld_offset_raw=encoder_fld_offset_raw,
             encoder_manual_set_time=encoder_manual_set_time,
+            encoder_manual_set_time_raw=encoder_manual_set_time_raw,
             motor_heating_factor=motor_heating_factor,
             motor_cooling_factor=motor_cooling_factor,
             reserved=reserved,
             follow_inside_deadband=follow_inside_deadband,
             motor_mag_link=motor_mag_link,
             motor_gearing=motor_gearing,
+            motor_gearing_raw=motor_gearing_raw,
             encoder_limit_min=encoder_limit_min,
+            encoder_limit_min_raw=encoder_limit_min_raw,
             encoder_limit_max=encoder_limit_max,
+            encoder_limit_max_raw=encoder_limit_max_raw,
             notch1_gain=notch1_gain,
+            notch1_gain_raw=notch1_gain_raw,
             notch2_gain=notch2_gain,
+            notch2_gain_raw=notch2_gain_raw,
             notch3_gain=notch3_gain,
+            notch3_gain_raw=notch3_gain_raw,
             beeper_volume=beeper_volume,
             encoder_gear_ratio=encoder_gear_ratio,
+            encoder_gear_ratio_raw=encoder_gear_ratio_raw,
             encoder_type=encoder_type,
             encoder_cfg=encoder_cfg,
             outer_p=outer_p,
@@ -775,13 +839,16 @@ class ReadParamsExt(Message):
             mag_axis_right=mag_axis_right,
             mag_trust=mag_trust,
             mag_declination=mag_declination,
+            mag_declination_raw=mag_declination_raw,
             acc_lpf_freq=acc_lpf_freq,
+            acc_lpf_freq_raw=acc_lpf_freq_raw,
             d_term_lpf_freq=d_term_lpf_freq,
+            d_term_lpf_freq_raw=d_term_lpf_freq_raw,
             tail=tail,
         )
 
 
-class ReadParamsExtRequest(Message):
+class ReadParamsExtRequest(Request["ReadParamsExt"]):
     """Request more parameters of one profile.
 
     CMD_READ_PARAMS_EXT (33), to the board; 1 byte. Effect: reads. Since board 3.0. Source:
@@ -982,26 +1049,39 @@ class ReadParamsExt2(Message):
         profile_id: int = UNSET,
         mav_channels: Iterable[MavChannel] = UNSET,
         motor_mag_link_fine: Axes[float] = UNSET,
+        motor_mag_link_fine_raw: Axes[int] = UNSET,
         acc_limiter3: Axes[float] = UNSET,
+        acc_limiter3_raw: Axes[int] = UNSET,
         pid_gain: Axes[float] = UNSET,
+        pid_gain_raw: Axes[int] = UNSET,
         frame_imu_lpf_freq: float = UNSET,
+        frame_imu_lpf_freq_raw: int = UNSET,
         auto_pid_cfg: AutoPidFlags = UNSET,
         auto_pid_gain: int = UNSET,
         frame_cam_angle_min: Axes[float] = UNSET,
+        frame_cam_angle_min_raw: Axes[int] = UNSET,
         frame_cam_angle_max: Axes[float] = UNSET,
+        frame_cam_angle_max_raw: Axes[int] = UNSET,
         general_flags2: GeneralFlags2 = UNSET,
         auto_speed: int = UNSET,
         auto_acc_limiter: float = UNSET,
+        auto_acc_limiter_raw: int = UNSET,
         imu_orientation_corr: Axes[float] = UNSET,
+        imu_orientation_corr_raw: Axes[int] = UNSET,
         timelapse_time: float = UNSET,
+        timelapse_time_raw: int = UNSET,
         emergency_stop_restart_delay: float = UNSET,
+        emergency_stop_restart_delay_raw: int = UNSET,
         timelapse_acc_part: float = UNSET,
+        timelapse_acc_part_raw: int = UNSET,
         momentum: Axes[int] = UNSET,
         momentum_calib_stimulus: Axes[int] = UNSET,
         momentum_ellipticity: Axes[float] = UNSET,
+        momentum_ellipticity_raw: Axes[int] = UNSET,
         follow_range: Axes[int] = UNSET,
         stab_axis: Axes[StabAxis] = UNSET,
         outer_mot_tilt_angle: float = UNSET,
+        outer_mot_tilt_angle_raw: int = UNSET,
         startup_action: Iterable[int] = UNSET,
         startup_action_src: Iterable[int] = UNSET,
         startup_action_threshold: Iterable[int] = UNSET,
@@ -1012,40 +1092,57 @@ class ReadParamsExt2(Message):
         ext_led_pin_id: OutputPin = UNSET,
         interrupt_cfg: int = UNSET,
         overload_time: float = UNSET,
+        overload_time_raw: int = UNSET,
         auto_pid_momentum: int = UNSET,
         jerk_slope: Axes[int] = UNSET,
         mav_ctrl_mode: MavControlMode = UNSET,
         rc_serial_speed: SerialSpeed = UNSET,
         uart2_speed: SerialSpeed = UNSET,
         motor_res: Axes[float] = UNSET,
+        motor_res_raw: Axes[int] = UNSET,
         current_limit: float = UNSET,
+        current_limit_raw: int = UNSET,
         middle_mot_tilt_angle: float = UNSET,
+        middle_mot_tilt_angle_raw: int = UNSET,
         tail: Bytes = UNSET,
     ) -> None:
         self._start(
             profile_id=profile_id,
             mav_channels=mav_channels,
             motor_mag_link_fine=motor_mag_link_fine,
+            motor_mag_link_fine_raw=motor_mag_link_fine_raw,
             acc_limiter3=acc_limiter3,
+            acc_limiter3_raw=acc_limiter3_raw,
             pid_gain=pid_gain,
+            pid_gain_raw=pid_gain_raw,
             frame_imu_lpf_freq=frame_imu_lpf_freq,
+            frame_imu_lpf_freq_raw=frame_imu_lpf_freq_raw,
             auto_pid_cfg=auto_pid_cfg,
             auto_pid_gain=auto_pid_gain,
             frame_cam_angle_min=frame_cam_angle_min,
+            frame_cam_angle_min_raw=frame_cam_angle_min_raw,
             frame_cam_angle_max=frame_cam_angle_max,
+            frame_cam_angle_max_raw=frame_cam_angle_max_raw,
             general_flags2=general_flags2,
             auto_speed=auto_speed,
             auto_acc_limiter=auto_acc_limiter,
+            auto_acc_limiter_raw=auto_acc_limiter_raw,
             imu_orientation_corr=imu_orientation_corr,
+            imu_orientation_corr_raw=imu_orientation_corr_raw,
             timelapse_time=timelapse_time,
+            timelapse_time_raw=timelapse_time_raw,
             emergency_stop_restart_delay=emergency_stop_restart_delay,
+            emergency_stop_restart_delay_raw=emergency_stop_restart_delay_raw,
             timelapse_acc_part=timelapse_acc_part,
+            timelapse_acc_part_raw=timelapse_acc_part_raw,
             momentum=momentum,
             momentum_calib_stimulus=momentum_calib_stimulus,
             momentum_ellipticity=momentum_ellipticity,
+            momentum_ellipticity_raw=momentum_ellipticity_raw,
             follow_range=follow_range,
             stab_axis=stab_axis,
             outer_mot_tilt_angle=outer_mot_tilt_angle,
+            outer_mot_tilt_angle_raw=outer_mot_tilt_angle_raw,
             startup_action=startup_action,
             startup_action_src=startup_action_src,
             startup_action_threshold=startup_action_threshold,
@@ -1056,19 +1153,23 @@ class ReadParamsExt2(Message):
             ext_led_pin_id=ext_led_pin_id,
             interrupt_cfg=interrupt_cfg,
             overload_time=overload_time,
+            overload_time_raw=overload_time_raw,
             auto_pid_momentum=auto_pid_momentum,
             jerk_slope=jerk_slope,
             mav_ctrl_mode=mav_ctrl_mode,
             rc_serial_speed=rc_serial_speed,
             uart2_speed=uart2_speed,
             motor_res=motor_res,
+            motor_res_raw=motor_res_raw,
             current_limit=current_limit,
+            current_limit_raw=current_limit_raw,
             middle_mot_tilt_angle=middle_mot_tilt_angle,
+            middle_mot_tilt_angle_raw=middle_mot_tilt_angle_raw,
             tail=tail,
         )
 
 
-class ReadParamsExt2Request(Message):
+class ReadParamsExt2Request(Request["ReadParamsExt2"]):
     """Request the third set of parameters of one profile.
 
     CMD_READ_PARAMS_EXT2 (62), to the board; 1 byte. Effect: reads. Since board 3.0. Source:
@@ -1086,7 +1187,7 @@ class ReadParamsExt2Request(Message):
         self._start(profile_id=profile_id, tail=tail)
 
 
-class WriteParamsSet(Message):
+class WriteParamsSet(Request["Confirm"]):
     """Begin or end a series of commands that store parameters.
 
     Between the two, the board is in a state for configuration. At the end it may restart to
@@ -1121,7 +1222,7 @@ class ReadProfileNames(Message):
         self._start(profile_name=profile_name, tail=tail)
 
 
-class ReadProfileNamesRequest(Message):
+class ReadProfileNamesRequest(Request["ReadProfileNames"]):
     """Request the profile names.
 
     CMD_READ_PROFILE_NAMES (28), to the board; 0 bytes. Effect: reads. Since board 3.0. Source:
@@ -1135,7 +1236,7 @@ class ReadProfileNamesRequest(Message):
         self._start(tail=tail)
 
 
-class ProfileSet(Message):
+class ProfileSet(Request["Confirm"]):
     """Save, clear or load a profile set.
 
     CMD_PROFILE_SET (95), to the board; 10 bytes. Effect: stores, moves, erases. Since firmware
@@ -1164,7 +1265,7 @@ class ProfileSet(Message):
         self._start(slot=slot, action=action, reserved=reserved, tail=tail)
 
 
-class SaveParams3(Message):
+class SaveParams3(Request["Optional[Confirm]"]):
     """Save the parameters in use, with all changes to adjustable variables, to the active profile.
 
     CMD_SAVE_PARAMS_3 (32), to the board; 0 to 255 bytes. Effect: stores. Since board 3.0.
@@ -1180,7 +1281,7 @@ class SaveParams3(Message):
         self._start(param_id=param_id, tail=tail)
 
 
-class UseDefaults(Message):
+class UseDefaults(Request["Optional[Confirm]"]):
     """Restore the factory defaults.
 
     The parameters of the profile are lost; 253 erases the whole EEPROM. Back up the parameters
@@ -1205,7 +1306,7 @@ class UseDefaults(Message):
         self._start(profile_id=profile_id, tail=tail)
 
 
-class WriteParams3(ReadParams3):
+class WriteParams3(ReadParams3, Request["Confirm"]):
     """Store the parameters of one profile and the general parameters.
 
     Also saves to the EEPROM. Write back what you read and change only what you need: unknown
@@ -1230,7 +1331,7 @@ class ReadParamsAnswer(ReadParams3):
     __slots__ = ()
 
 
-class WriteParams(ReadParams3):
+class WriteParams(ReadParams3, Request["Confirm"]):
     """Store the parameters of one profile and the general parameters, with the older id.
 
     CMD_WRITE_PARAMS (87), to the board; 134 bytes, and later firmware may append more. Effect:
@@ -1241,7 +1342,7 @@ class WriteParams(ReadParams3):
     __slots__ = ()
 
 
-class WriteParamsExt(ReadParamsExt):
+class WriteParamsExt(ReadParamsExt, Request["Confirm"]):
     """Store more parameters of one profile.
 
     CMD_WRITE_PARAMS_EXT (34), to the board; 104 bytes, and later firmware may append more.
@@ -1252,7 +1353,7 @@ class WriteParamsExt(ReadParamsExt):
     __slots__ = ()
 
 
-class WriteParamsExt2(ReadParamsExt2):
+class WriteParamsExt2(ReadParamsExt2, Request["Confirm"]):
     """Store the third set of parameters of one profile.
 
     CMD_WRITE_PARAMS_EXT2 (63), to the board; 151 bytes, and later firmware may append more.
@@ -1263,7 +1364,7 @@ class WriteParamsExt2(ReadParamsExt2):
     __slots__ = ()
 
 
-class WriteProfileNames(ReadProfileNames):
+class WriteProfileNames(ReadProfileNames, Request["Optional[Confirm]"]):
     """Store the profile names.
 
     CMD_WRITE_PROFILE_NAMES (29), to the board; 240 bytes, and later firmware may append more.

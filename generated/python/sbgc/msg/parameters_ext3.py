@@ -4,14 +4,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import ClassVar, Optional, Union
+from typing import TYPE_CHECKING, ClassVar, Optional, Union
 
 from sbgc.fields import BYTES, RAW, REAL, TEXT, Axes, AxesOf, Elements, Field, GroupOf, ListOf
 from sbgc.fields import Structure, ValueOf, Xyz
-from sbgc.message import Message
+from sbgc.message import Message, Request
 from sbgc.msg.enums import *
 from sbgc.msg.packed import *
 from sbgc.values import UNSET
+
+if TYPE_CHECKING:
+    from sbgc.msg import Confirm
 
 __all__ = [
     "ReadParamsExt3",
@@ -71,28 +74,38 @@ class ShakeGenerator(Structure):
         *,
         amplitude: Axes[int] = UNSET,
         base_freq: float = UNSET,
+        base_freq_raw: int = UNSET,
         freq_range: float = UNSET,
+        freq_range_raw: int = UNSET,
         pause_period: float = UNSET,
+        pause_period_raw: int = UNSET,
         pause_balance: int = UNSET,
         pause_attenuation: int = UNSET,
         pause_randomness: int = UNSET,
         pause_phase_var: int = UNSET,
         resonance_gain: Axes[float] = UNSET,
+        resonance_gain_raw: Axes[int] = UNSET,
         resonance_freq: float = UNSET,
+        resonance_freq_raw: int = UNSET,
         freq_shift: Axes[int] = UNSET,
         reserved: Bytes = UNSET,
     ) -> None:
         self._start(
             amplitude=amplitude,
             base_freq=base_freq,
+            base_freq_raw=base_freq_raw,
             freq_range=freq_range,
+            freq_range_raw=freq_range_raw,
             pause_period=pause_period,
+            pause_period_raw=pause_period_raw,
             pause_balance=pause_balance,
             pause_attenuation=pause_attenuation,
             pause_randomness=pause_randomness,
             pause_phase_var=pause_phase_var,
             resonance_gain=resonance_gain,
+            resonance_gain_raw=resonance_gain_raw,
             resonance_freq=resonance_freq,
+            resonance_freq_raw=resonance_freq_raw,
             freq_shift=freq_shift,
             reserved=reserved,
         )
@@ -270,24 +283,32 @@ class ReadParamsExt3(Message):
         ext_imu_gyro_corr_rate: int = UNSET,
         reserved_2: Bytes = UNSET,
         soft_limit_width: Axes[float] = UNSET,
+        soft_limit_width_raw: Axes[int] = UNSET,
         adc_replace_src: Iterable[int] = UNSET,
         glock_mid_mot_pos_corr_rate: int = UNSET,
         extra_btn_cfg: Iterable[int] = UNSET,
         overcurrent_protection: float = UNSET,
+        overcurrent_protection_raw: int = UNSET,
         power_on_delay: float = UNSET,
+        power_on_delay_raw: int = UNSET,
         power_off_delay: float = UNSET,
+        power_off_delay_raw: int = UNSET,
         power_on_limiter: int = UNSET,
         reserved_3: Bytes = UNSET,
         lpf_q_inv: Axes[float] = UNSET,
+        lpf_q_inv_raw: Axes[int] = UNSET,
         can_imu_ext_sens_type: CanImuSensor = UNSET,
         profile_flags2: ProfileFlags2 = UNSET,
         reserved_4: Bytes = UNSET,
         general_flags3: GeneralFlags3 = UNSET,
         follow_offset_ext: Axes[float] = UNSET,
+        follow_offset_ext_raw: Axes[int] = UNSET,
         motor_startup_delay: float = UNSET,
+        motor_startup_delay_raw: int = UNSET,
         imu_model_main: int = UNSET,
         imu_model_frame: int = UNSET,
         stab_threshold_angle: Axes[float] = UNSET,
+        stab_threshold_angle_raw: Axes[int] = UNSET,
         ext_buzzer_pin: OutputPin = UNSET,
         enc_limit_return_speed: Axes[int] = UNSET,
         tripod_mode_auto_threshold: int = UNSET,
@@ -303,12 +324,16 @@ class ReadParamsExt3(Message):
         encoder_cfg_ext: Axes[EncoderConfigExt] = UNSET,
         ext_sens_params: Bytes = UNSET,
         imu_angle_corr_r: float = UNSET,
+        imu_angle_corr_r_raw: int = UNSET,
         imu_angle_corr_p: float = UNSET,
+        imu_angle_corr_p_raw: int = UNSET,
         can_imu_servo_out: Iterable[int] = UNSET,
         can_imu_servo_rate: float = UNSET,
+        can_imu_servo_rate_raw: int = UNSET,
         servo_outer_p_mult: int = UNSET,
         servo_outer_i: int = UNSET,
         ext_pwr_sw_shunt_r: float = UNSET,
+        ext_pwr_sw_shunt_r_raw: int = UNSET,
         general_flags4: GeneralFlags4 = UNSET,
         auto_motion_timeout: int = UNSET,
         reserved_5: Bytes = UNSET,
@@ -327,24 +352,32 @@ class ReadParamsExt3(Message):
             ext_imu_gyro_corr_rate=ext_imu_gyro_corr_rate,
             reserved_2=reserved_2,
             soft_limit_width=soft_limit_width,
+            soft_limit_width_raw=soft_limit_width_raw,
             adc_replace_src=adc_replace_src,
             glock_mid_mot_pos_corr_rate=glock_mid_mot_pos_corr_rate,
             extra_btn_cfg=extra_btn_cfg,
             overcurrent_protection=overcurrent_protection,
+            overcurrent_protection_raw=overcurrent_protection_raw,
             power_on_delay=power_on_delay,
+            power_on_delay_raw=power_on_delay_raw,
             power_off_delay=power_off_delay,
+            power_off_delay_raw=power_off_delay_raw,
             power_on_limiter=power_on_limiter,
             reserved_3=reserved_3,
             lpf_q_inv=lpf_q_inv,
+            lpf_q_inv_raw=lpf_q_inv_raw,
             can_imu_ext_sens_type=can_imu_ext_sens_type,
             profile_flags2=profile_flags2,
             reserved_4=reserved_4,
             general_flags3=general_flags3,
             follow_offset_ext=follow_offset_ext,
+            follow_offset_ext_raw=follow_offset_ext_raw,
             motor_startup_delay=motor_startup_delay,
+            motor_startup_delay_raw=motor_startup_delay_raw,
             imu_model_main=imu_model_main,
             imu_model_frame=imu_model_frame,
             stab_threshold_angle=stab_threshold_angle,
+            stab_threshold_angle_raw=stab_threshold_angle_raw,
             ext_buzzer_pin=ext_buzzer_pin,
             enc_limit_return_speed=enc_limit_return_speed,
             tripod_mode_auto_threshold=tripod_mode_auto_threshold,
@@ -360,12 +393,16 @@ class ReadParamsExt3(Message):
             encoder_cfg_ext=encoder_cfg_ext,
             ext_sens_params=ext_sens_params,
             imu_angle_corr_r=imu_angle_corr_r,
+            imu_angle_corr_r_raw=imu_angle_corr_r_raw,
             imu_angle_corr_p=imu_angle_corr_p,
+            imu_angle_corr_p_raw=imu_angle_corr_p_raw,
             can_imu_servo_out=can_imu_servo_out,
             can_imu_servo_rate=can_imu_servo_rate,
+            can_imu_servo_rate_raw=can_imu_servo_rate_raw,
             servo_outer_p_mult=servo_outer_p_mult,
             servo_outer_i=servo_outer_i,
             ext_pwr_sw_shunt_r=ext_pwr_sw_shunt_r,
+            ext_pwr_sw_shunt_r_raw=ext_pwr_sw_shunt_r_raw,
             general_flags4=general_flags4,
             auto_motion_timeout=auto_motion_timeout,
             reserved_5=reserved_5,
@@ -373,7 +410,7 @@ class ReadParamsExt3(Message):
         )
 
 
-class ReadParamsExt3Request(Message):
+class ReadParamsExt3Request(Request["ReadParamsExt3"]):
     """Request the fourth set of parameters of one profile.
 
     CMD_READ_PARAMS_EXT3 (104), to the board; 1 byte. Effect: reads. Since firmware 2.66.
@@ -391,7 +428,7 @@ class ReadParamsExt3Request(Message):
         self._start(profile_id=profile_id, tail=tail)
 
 
-class WriteParamsExt3(ReadParamsExt3):
+class WriteParamsExt3(ReadParamsExt3, Request["Confirm"]):
     """Store the fourth set of parameters of one profile.
 
     CMD_WRITE_PARAMS_EXT3 (105), to the board; 221 bytes, and later firmware may append more.

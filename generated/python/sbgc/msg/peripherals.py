@@ -4,14 +4,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import ClassVar, Optional, Union
+from typing import TYPE_CHECKING, ClassVar, Optional, Union
 
 from sbgc.fields import BYTES, RAW, REAL, TEXT, Axes, AxesOf, Elements, Field, GroupOf, ListOf
 from sbgc.fields import Structure, ValueOf, Xyz
-from sbgc.message import Message
+from sbgc.message import Message, Request
 from sbgc.msg.enums import *
 from sbgc.msg.packed import *
 from sbgc.values import UNSET
+
+if TYPE_CHECKING:
+    from sbgc.msg import Confirm
 
 __all__ = [
     "ApiVirtChControl",
@@ -33,7 +36,7 @@ __all__ = [
 Bytes = Union[bytes, bytearray, memoryview]
 
 
-class BeepSound(Message):
+class BeepSound(Request["Optional[Confirm]"]):
     """Play a melody through the motors, or a standard sound.
 
     CMD_BEEP_SOUND (89), to the board; 12 to 112 bytes. Effect: sets. Since firmware 2.59, board
@@ -72,22 +75,26 @@ class BeepSound(Message):
         *,
         mode: BeepModes = UNSET,
         note_length: float = UNSET,
+        note_length_raw: int = UNSET,
         decay_factor: int = UNSET,
         reserved: Bytes = UNSET,
         note_freq_hz: Iterable[float] = UNSET,
+        note_freq_hz_raw: Iterable[int] = UNSET,
         tail: Bytes = UNSET,
     ) -> None:
         self._start(
             mode=mode,
             note_length=note_length,
+            note_length_raw=note_length_raw,
             decay_factor=decay_factor,
             reserved=reserved,
             note_freq_hz=note_freq_hz,
+            note_freq_hz_raw=note_freq_hz_raw,
             tail=tail,
         )
 
 
-class TriggerPin(Message):
+class TriggerPin(Request["Optional[Confirm]"]):
     """Switch an output pin.
 
     Confirmed only if the pin was switched. A pin in use as an input is not switched. The
@@ -114,7 +121,7 @@ class TriggerPin(Message):
         self._start(pin_id=pin_id, state=state, tail=tail)
 
 
-class ServoOut(Message):
+class ServoOut(Request["Optional[Confirm]"]):
     """Send PWM signals to eight servos.
 
     Outputs 1 to 4 share their pins with FC_ROLL, FC_PITCH, RC_PITCH and AUX1; 5 to 8 are
@@ -139,11 +146,17 @@ class ServoOut(Message):
     servo_time_raw: Field[Elements[int], Iterable[int]] = Field(ListOf(RAW), of="servo_time")
     """The number on the wire for servo_time."""
 
-    def __init__(self, *, servo_time: Iterable[float] = UNSET, tail: Bytes = UNSET) -> None:
-        self._start(servo_time=servo_time, tail=tail)
+    def __init__(
+        self,
+        *,
+        servo_time: Iterable[float] = UNSET,
+        servo_time_raw: Iterable[int] = UNSET,
+        tail: Bytes = UNSET,
+    ) -> None:
+        self._start(servo_time=servo_time, servo_time_raw=servo_time_raw, tail=tail)
 
 
-class ServoOutFour(Message):
+class ServoOutFour(Request["Optional[Confirm]"]):
     """Send PWM signals to the servos 1 to 4.
 
     Outputs 1 to 4 share their pins with FC_ROLL, FC_PITCH, RC_PITCH and AUX1; 5 to 8 are
@@ -168,11 +181,17 @@ class ServoOutFour(Message):
     servo_time_raw: Field[Elements[int], Iterable[int]] = Field(ListOf(RAW), of="servo_time")
     """The number on the wire for servo_time."""
 
-    def __init__(self, *, servo_time: Iterable[float] = UNSET, tail: Bytes = UNSET) -> None:
-        self._start(servo_time=servo_time, tail=tail)
+    def __init__(
+        self,
+        *,
+        servo_time: Iterable[float] = UNSET,
+        servo_time_raw: Iterable[int] = UNSET,
+        tail: Bytes = UNSET,
+    ) -> None:
+        self._start(servo_time=servo_time, servo_time_raw=servo_time_raw, tail=tail)
 
 
-class ServoOutExt(Message):
+class ServoOutExt(Request["None"]):
     """Send PWM signals to servos of the board and of its CAN motor drivers.
 
     Outputs that are not selected keep their signals. Most servos take 500 to 2500 us, with 1500
@@ -202,12 +221,18 @@ class ServoOutExt(Message):
         *,
         servo_bits: ServoOutputs = UNSET,
         servo_time: Iterable[float] = UNSET,
+        servo_time_raw: Iterable[int] = UNSET,
         tail: Bytes = UNSET,
     ) -> None:
-        self._start(servo_bits=servo_bits, servo_time=servo_time, tail=tail)
+        self._start(
+            servo_bits=servo_bits,
+            servo_time=servo_time,
+            servo_time_raw=servo_time_raw,
+            tail=tail,
+        )
 
 
-class I2cWriteRegBuf(Message):
+class I2cWriteRegBuf(Request["Confirm"]):
     """Write to a device on an I2C bus.
 
     The sensors and the EEPROM are on these buses, too. Write only to your own device, as the
@@ -253,7 +278,7 @@ class I2cReadRegBuf(Message):
         self._start(data=data, tail=tail)
 
 
-class I2cReadRegBufRequest(Message):
+class I2cReadRegBufRequest(Request["I2cReadRegBuf"]):
     """Read from a device on an I2C bus.
 
     CMD_I2C_READ_REG_BUF (40), to the board, simple form; 3 bytes. Effect: reads. Since board
@@ -277,12 +302,19 @@ class I2cReadRegBufRequest(Message):
         device_addr: int = UNSET,
         reg_addr: int = UNSET,
         data_len: float = UNSET,
+        data_len_raw: int = UNSET,
         tail: Bytes = UNSET,
     ) -> None:
-        self._start(device_addr=device_addr, reg_addr=reg_addr, data_len=data_len, tail=tail)
+        self._start(
+            device_addr=device_addr,
+            reg_addr=reg_addr,
+            data_len=data_len,
+            data_len_raw=data_len_raw,
+            tail=tail,
+        )
 
 
-class I2cReadRegBufRequestNoRegister(Message):
+class I2cReadRegBufRequestNoRegister(Request["I2cReadRegBuf"]):
     """Read from a device without registers.
 
     CMD_I2C_READ_REG_BUF (40), to the board, no_register form; 2 bytes. Effect: reads. Since
@@ -303,12 +335,18 @@ class I2cReadRegBufRequestNoRegister(Message):
         *,
         device_addr: int = UNSET,
         data_len: float = UNSET,
+        data_len_raw: int = UNSET,
         tail: Bytes = UNSET,
     ) -> None:
-        self._start(device_addr=device_addr, data_len=data_len, tail=tail)
+        self._start(
+            device_addr=device_addr,
+            data_len=data_len,
+            data_len_raw=data_len_raw,
+            tail=tail,
+        )
 
 
-class I2cReadRegBufRequestWideRegister(Message):
+class I2cReadRegBufRequestWideRegister(Request["I2cReadRegBuf"]):
     """Read from a device with 16-bit register addresses.
 
     CMD_I2C_READ_REG_BUF (40), to the board, wide_register form; 4 bytes. Effect: reads. Since
@@ -332,12 +370,19 @@ class I2cReadRegBufRequestWideRegister(Message):
         device_addr: int = UNSET,
         reg_addr: int = UNSET,
         data_len: float = UNSET,
+        data_len_raw: int = UNSET,
         tail: Bytes = UNSET,
     ) -> None:
-        self._start(device_addr=device_addr, reg_addr=reg_addr, data_len=data_len, tail=tail)
+        self._start(
+            device_addr=device_addr,
+            reg_addr=reg_addr,
+            data_len=data_len,
+            data_len_raw=data_len_raw,
+            tail=tail,
+        )
 
 
-class ApiVirtChControl(Message):
+class ApiVirtChControl(Request["Optional[Confirm]"]):
     """Set the host's virtual RC channels, which can control the camera and more.
 
     Send all 32 channels to firmware before 2.70b5.
@@ -358,11 +403,17 @@ class ApiVirtChControl(Message):
     val_ch_raw: Field[Elements[int], Iterable[int]] = Field(ListOf(RAW), of="val_ch")
     """The number on the wire for val_ch."""
 
-    def __init__(self, *, val_ch: Iterable[float] = UNSET, tail: Bytes = UNSET) -> None:
-        self._start(val_ch=val_ch, tail=tail)
+    def __init__(
+        self,
+        *,
+        val_ch: Iterable[float] = UNSET,
+        val_ch_raw: Iterable[int] = UNSET,
+        tail: Bytes = UNSET,
+    ) -> None:
+        self._start(val_ch=val_ch, val_ch_raw=val_ch_raw, tail=tail)
 
 
-class ApiVirtChHighRes(Message):
+class ApiVirtChHighRes(Request["None"]):
     """Set the host's virtual RC channels in high resolution; they can control the camera and more.
 
     These are the channels that CMD_API_VIRT_CH_CONTROL sets.
@@ -382,8 +433,14 @@ class ApiVirtChHighRes(Message):
     val_ch_raw: Field[Elements[int], Iterable[int]] = Field(ListOf(RAW), of="val_ch")
     """The number on the wire for val_ch."""
 
-    def __init__(self, *, val_ch: Iterable[float] = UNSET, tail: Bytes = UNSET) -> None:
-        self._start(val_ch=val_ch, tail=tail)
+    def __init__(
+        self,
+        *,
+        val_ch: Iterable[float] = UNSET,
+        val_ch_raw: Iterable[int] = UNSET,
+        tail: Bytes = UNSET,
+    ) -> None:
+        self._start(val_ch=val_ch, val_ch_raw=val_ch_raw, tail=tail)
 
 
 class ReadRcInputs(Message):
@@ -404,11 +461,17 @@ class ReadRcInputs(Message):
     rc_val_raw: Field[Elements[int], Iterable[int]] = Field(ListOf(RAW), of="rc_val")
     """The number on the wire for rc_val."""
 
-    def __init__(self, *, rc_val: Iterable[float] = UNSET, tail: Bytes = UNSET) -> None:
-        self._start(rc_val=rc_val, tail=tail)
+    def __init__(
+        self,
+        *,
+        rc_val: Iterable[float] = UNSET,
+        rc_val_raw: Iterable[int] = UNSET,
+        tail: Bytes = UNSET,
+    ) -> None:
+        self._start(rc_val=rc_val, rc_val_raw=rc_val_raw, tail=tail)
 
 
-class ReadRcInputsRequest(Message):
+class ReadRcInputsRequest(Request["ReadRcInputs"]):
     """Request the RC signals of selected inputs.
 
     CMD_READ_RC_INPUTS (100), to the board; 2 to 129 bytes. Effect: sets. Since firmware 2.60.

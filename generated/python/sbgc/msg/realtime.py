@@ -4,15 +4,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import ClassVar, Optional, Union
+from typing import TYPE_CHECKING, ClassVar, Optional, Union
 
 from sbgc.fields import BYTES, RAW, REAL, TEXT, Axes, AxesOf, Elements, Field, GroupOf, ListOf
 from sbgc.fields import Structure, ValueOf, Xyz
-from sbgc.message import Message
+from sbgc.message import Message, Request
 from sbgc.msg.enums import *
 from sbgc.msg.imu import *
 from sbgc.msg.packed import *
 from sbgc.values import UNSET
+
+if TYPE_CHECKING:
+    from sbgc.msg import Confirm
 
 __all__ = [
     "AxisSensors",
@@ -60,8 +63,20 @@ class AxisSensors(Structure):
     gyro_data_raw: Field[int, int] = Field(RAW, of="gyro_data")
     """The number on the wire for gyro_data."""
 
-    def __init__(self, *, acc_data: float = UNSET, gyro_data: float = UNSET) -> None:
-        self._start(acc_data=acc_data, gyro_data=gyro_data)
+    def __init__(
+        self,
+        *,
+        acc_data: float = UNSET,
+        acc_data_raw: int = UNSET,
+        gyro_data: float = UNSET,
+        gyro_data_raw: int = UNSET,
+    ) -> None:
+        self._start(
+            acc_data=acc_data,
+            acc_data_raw=acc_data_raw,
+            gyro_data=gyro_data,
+            gyro_data_raw=gyro_data_raw,
+        )
 
 
 class Motor4Control(Structure):
@@ -89,10 +104,18 @@ class Motor4Control(Structure):
         self,
         *,
         ff_speed: float = UNSET,
+        ff_speed_raw: int = UNSET,
         angle_error: float = UNSET,
+        angle_error_raw: int = UNSET,
         pid_out: float = UNSET,
     ) -> None:
-        self._start(ff_speed=ff_speed, angle_error=angle_error, pid_out=pid_out)
+        self._start(
+            ff_speed=ff_speed,
+            ff_speed_raw=ff_speed_raw,
+            angle_error=angle_error,
+            angle_error_raw=angle_error_raw,
+            pid_out=pid_out,
+        )
 
 
 class MotorPowerState(Structure):
@@ -121,14 +144,18 @@ class MotorPowerState(Structure):
         *,
         mot_power: int = UNSET,
         mot_current: float = UNSET,
+        mot_current_raw: int = UNSET,
         mot_temp: float = UNSET,
+        mot_temp_raw: int = UNSET,
         mot_flags: MotorPowerFlags = UNSET,
         reserved: Bytes = UNSET,
     ) -> None:
         self._start(
             mot_power=mot_power,
             mot_current=mot_current,
+            mot_current_raw=mot_current_raw,
             mot_temp=mot_temp,
+            mot_temp_raw=mot_temp_raw,
             mot_flags=mot_flags,
             reserved=reserved,
         )
@@ -163,14 +190,18 @@ class SystemPowerState(Structure):
         motors: Axes[MotorPowerState] = UNSET,
         state: PowerState = UNSET,
         battery_voltage: float = UNSET,
+        battery_voltage_raw: int = UNSET,
         total_current: float = UNSET,
+        total_current_raw: int = UNSET,
         system_flags: SystemPowerFlags = UNSET,
     ) -> None:
         self._start(
             motors=motors,
             state=state,
             battery_voltage=battery_voltage,
+            battery_voltage_raw=battery_voltage_raw,
             total_current=total_current,
+            total_current_raw=total_current_raw,
             system_flags=system_flags,
         )
 
@@ -246,8 +277,8 @@ class SoftLimitDistances(Structure):
     dist_raw: Field[Elements[int], Iterable[int]] = Field(ListOf(RAW), of="dist")
     """The number on the wire for dist."""
 
-    def __init__(self, *, dist: Iterable[float] = UNSET) -> None:
-        self._start(dist=dist)
+    def __init__(self, *, dist: Iterable[float] = UNSET, dist_raw: Iterable[int] = UNSET) -> None:
+        self._start(dist=dist, dist_raw=dist_raw)
 
 
 class MainImuState(Structure):
@@ -275,14 +306,18 @@ class MainImuState(Structure):
         self,
         *,
         g_ref_error: float = UNSET,
+        g_ref_error_raw: int = UNSET,
         h_ref_error: float = UNSET,
+        h_ref_error_raw: int = UNSET,
         flags: int = UNSET,
         ext_sensor_error: int = UNSET,
         reserved: Bytes = UNSET,
     ) -> None:
         self._start(
             g_ref_error=g_ref_error,
+            g_ref_error_raw=g_ref_error_raw,
             h_ref_error=h_ref_error,
+            h_ref_error_raw=h_ref_error_raw,
             flags=flags,
             ext_sensor_error=ext_sensor_error,
             reserved=reserved,
@@ -387,7 +422,7 @@ class StreamConfig(Structure):
         )
 
 
-class RealtimeData(Message):
+class RealtimeData(Request["RealtimeData3"]):
     """Request live data, with the older id.
 
     CMD_REALTIME_DATA (68), to the board; 0 bytes. Effect: reads. Source: Outgoing commands
@@ -492,16 +527,25 @@ class RealtimeData3(Message):
         system_sub_error: SystemSubError = UNSET,
         reserved: Bytes = UNSET,
         rc: Axes[float] = UNSET,
+        rc_raw: Axes[int] = UNSET,
         rc_cmd: float = UNSET,
+        rc_cmd_raw: int = UNSET,
         ext_fc_roll: float = UNSET,
+        ext_fc_roll_raw: int = UNSET,
         ext_fc_pitch: float = UNSET,
+        ext_fc_pitch_raw: int = UNSET,
         angle: Axes[float] = UNSET,
+        angle_raw: Axes[int] = UNSET,
         frame_imu_angle: Axes[float] = UNSET,
+        frame_imu_angle_raw: Axes[int] = UNSET,
         rc_angle: Axes[float] = UNSET,
+        rc_angle_raw: Axes[int] = UNSET,
         cycle_time: float = UNSET,
+        cycle_time_raw: int = UNSET,
         i2c_error_count: int = UNSET,
         error_code: int = UNSET,
         bat_level: float = UNSET,
+        bat_level_raw: int = UNSET,
         other_flags: OtherFlags = UNSET,
         cur_imu: SelectedImu = UNSET,
         cur_profile: int = UNSET,
@@ -515,16 +559,25 @@ class RealtimeData3(Message):
             system_sub_error=system_sub_error,
             reserved=reserved,
             rc=rc,
+            rc_raw=rc_raw,
             rc_cmd=rc_cmd,
+            rc_cmd_raw=rc_cmd_raw,
             ext_fc_roll=ext_fc_roll,
+            ext_fc_roll_raw=ext_fc_roll_raw,
             ext_fc_pitch=ext_fc_pitch,
+            ext_fc_pitch_raw=ext_fc_pitch_raw,
             angle=angle,
+            angle_raw=angle_raw,
             frame_imu_angle=frame_imu_angle,
+            frame_imu_angle_raw=frame_imu_angle_raw,
             rc_angle=rc_angle,
+            rc_angle_raw=rc_angle_raw,
             cycle_time=cycle_time,
+            cycle_time_raw=cycle_time_raw,
             i2c_error_count=i2c_error_count,
             error_code=error_code,
             bat_level=bat_level,
+            bat_level_raw=bat_level_raw,
             other_flags=other_flags,
             cur_imu=cur_imu,
             cur_profile=cur_profile,
@@ -533,7 +586,7 @@ class RealtimeData3(Message):
         )
 
 
-class RealtimeData3Request(Message):
+class RealtimeData3Request(Request["RealtimeData3"]):
     """Request live data.
 
     CMD_REALTIME_DATA_3 (23), to the board; 0 bytes. Effect: reads. Since board 3.0. Source:
@@ -689,33 +742,50 @@ class RealtimeData4(Message):
         system_sub_error: SystemSubError = UNSET,
         reserved_1: Bytes = UNSET,
         rc: Axes[float] = UNSET,
+        rc_raw: Axes[int] = UNSET,
         rc_cmd: float = UNSET,
+        rc_cmd_raw: int = UNSET,
         ext_fc_roll: float = UNSET,
+        ext_fc_roll_raw: int = UNSET,
         ext_fc_pitch: float = UNSET,
+        ext_fc_pitch_raw: int = UNSET,
         angle: Axes[float] = UNSET,
+        angle_raw: Axes[int] = UNSET,
         frame_imu_angle: Axes[float] = UNSET,
+        frame_imu_angle_raw: Axes[int] = UNSET,
         rc_angle: Axes[float] = UNSET,
+        rc_angle_raw: Axes[int] = UNSET,
         cycle_time: float = UNSET,
+        cycle_time_raw: int = UNSET,
         i2c_error_count: int = UNSET,
         error_code: int = UNSET,
         bat_level: float = UNSET,
+        bat_level_raw: int = UNSET,
         other_flags: OtherFlags = UNSET,
         cur_imu: SelectedImu = UNSET,
         cur_profile: int = UNSET,
         motor_power: Axes[int] = UNSET,
         rotor_angle: Axes[float] = UNSET,
+        rotor_angle_raw: Axes[int] = UNSET,
         reserved_2: Bytes = UNSET,
         balance_error: Axes[float] = UNSET,
+        balance_error_raw: Axes[int] = UNSET,
         current: float = UNSET,
+        current_raw: int = UNSET,
         mag_data: Axes[int] = UNSET,
         imu_temperature: float = UNSET,
+        imu_temperature_raw: int = UNSET,
         frame_imu_temperature: float = UNSET,
+        frame_imu_temperature_raw: int = UNSET,
         imu_g_err: float = UNSET,
+        imu_g_err_raw: int = UNSET,
         imu_h_err: float = UNSET,
+        imu_h_err_raw: int = UNSET,
         motor_out: Axes[int] = UNSET,
         calib_mode: CalibMode = UNSET,
         can_imu_ext_sens_err: int = UNSET,
         actual_angle: Axes[float] = UNSET,
+        actual_angle_raw: Axes[int] = UNSET,
         system_state_flags: StateFlags = UNSET,
         reserved_3: Bytes = UNSET,
         tail: Bytes = UNSET,
@@ -727,40 +797,57 @@ class RealtimeData4(Message):
             system_sub_error=system_sub_error,
             reserved_1=reserved_1,
             rc=rc,
+            rc_raw=rc_raw,
             rc_cmd=rc_cmd,
+            rc_cmd_raw=rc_cmd_raw,
             ext_fc_roll=ext_fc_roll,
+            ext_fc_roll_raw=ext_fc_roll_raw,
             ext_fc_pitch=ext_fc_pitch,
+            ext_fc_pitch_raw=ext_fc_pitch_raw,
             angle=angle,
+            angle_raw=angle_raw,
             frame_imu_angle=frame_imu_angle,
+            frame_imu_angle_raw=frame_imu_angle_raw,
             rc_angle=rc_angle,
+            rc_angle_raw=rc_angle_raw,
             cycle_time=cycle_time,
+            cycle_time_raw=cycle_time_raw,
             i2c_error_count=i2c_error_count,
             error_code=error_code,
             bat_level=bat_level,
+            bat_level_raw=bat_level_raw,
             other_flags=other_flags,
             cur_imu=cur_imu,
             cur_profile=cur_profile,
             motor_power=motor_power,
             rotor_angle=rotor_angle,
+            rotor_angle_raw=rotor_angle_raw,
             reserved_2=reserved_2,
             balance_error=balance_error,
+            balance_error_raw=balance_error_raw,
             current=current,
+            current_raw=current_raw,
             mag_data=mag_data,
             imu_temperature=imu_temperature,
+            imu_temperature_raw=imu_temperature_raw,
             frame_imu_temperature=frame_imu_temperature,
+            frame_imu_temperature_raw=frame_imu_temperature_raw,
             imu_g_err=imu_g_err,
+            imu_g_err_raw=imu_g_err_raw,
             imu_h_err=imu_h_err,
+            imu_h_err_raw=imu_h_err_raw,
             motor_out=motor_out,
             calib_mode=calib_mode,
             can_imu_ext_sens_err=can_imu_ext_sens_err,
             actual_angle=actual_angle,
+            actual_angle_raw=actual_angle_raw,
             system_state_flags=system_state_flags,
             reserved_3=reserved_3,
             tail=tail,
         )
 
 
-class RealtimeData4Request(Message):
+class RealtimeData4Request(Request["RealtimeData4"]):
     """Request the longer live data.
 
     CMD_REALTIME_DATA_4 (25), to the board; 0 bytes. Effect: reads. Since board 3.0. Source:
@@ -1098,27 +1185,40 @@ class RealtimeDataCustom(Message):
         self,
         *,
         timestamp_ms: float = UNSET,
+        timestamp_ms_raw: int = UNSET,
         flags: Optional[RealtimeDataCustomFlags] = UNSET,
         imu_angles: Optional[Axes[float]] = UNSET,
+        imu_angles_raw: Optional[Axes[int]] = UNSET,
         target_angles: Optional[Axes[float]] = UNSET,
+        target_angles_raw: Optional[Axes[int]] = UNSET,
         target_speed: Optional[Axes[float]] = UNSET,
+        target_speed_raw: Optional[Axes[int]] = UNSET,
         stator_rotor_angle: Optional[Axes[float]] = UNSET,
+        stator_rotor_angle_raw: Optional[Axes[int]] = UNSET,
         gyro_data: Optional[Axes[float]] = UNSET,
+        gyro_data_raw: Optional[Axes[int]] = UNSET,
         rc_data: Optional[Iterable[float]] = UNSET,
+        rc_data_raw: Optional[Iterable[int]] = UNSET,
         z1_vector: Optional[Xyz[float]] = UNSET,
         h1_vector: Optional[Xyz[float]] = UNSET,
         rc_channels: Optional[Iterable[float]] = UNSET,
+        rc_channels_raw: Optional[Iterable[int]] = UNSET,
         acc_data: Optional[Axes[float]] = UNSET,
+        acc_data_raw: Optional[Axes[int]] = UNSET,
         motor4_control: Optional[Motor4Control] = UNSET,
         ahrs_debug_info: Optional[AhrsDebugInfo] = UNSET,
         encoder_raw24: Optional[Axes[int]] = UNSET,
         imu_angles_rad: Optional[Axes[float]] = UNSET,
+        imu_angles_rad_raw: Optional[Axes[float]] = UNSET,
         script_vars_float: Optional[Iterable[float]] = UNSET,
         script_vars_int16: Optional[Iterable[int]] = UNSET,
         system_power_state: Optional[SystemPowerState] = UNSET,
         frame_cam_rate: Optional[Axes[float]] = UNSET,
+        frame_cam_rate_raw: Optional[Axes[int]] = UNSET,
         imu_angles_20: Optional[Axes[float]] = UNSET,
+        imu_angles_20_raw: Optional[Axes[int]] = UNSET,
         target_angles_20: Optional[Axes[float]] = UNSET,
+        target_angles_20_raw: Optional[Axes[int]] = UNSET,
         comm_errors: Optional[CommErrors] = UNSET,
         system_state: Optional[SystemStatus] = UNSET,
         imu_quat: Optional[int] = UNSET,
@@ -1127,35 +1227,52 @@ class RealtimeDataCustom(Message):
         adc_ch_raw: Optional[Iterable[int]] = UNSET,
         sw_limits_dist: Optional[Axes[SoftLimitDistances]] = UNSET,
         follow_dist: Optional[Axes[float]] = UNSET,
+        follow_dist_raw: Optional[Axes[int]] = UNSET,
         ext_target_limit_min: Optional[Axes[float]] = UNSET,
+        ext_target_limit_min_raw: Optional[Axes[int]] = UNSET,
         ext_target_limit_max: Optional[Axes[float]] = UNSET,
+        ext_target_limit_max_raw: Optional[Axes[int]] = UNSET,
         frame_cam_angle_20: Optional[Axes[float]] = UNSET,
+        frame_cam_angle_20_raw: Optional[Axes[int]] = UNSET,
         main_imu_state: Optional[MainImuState] = UNSET,
         tail: Bytes = UNSET,
     ) -> None:
         self._start(
             timestamp_ms=timestamp_ms,
+            timestamp_ms_raw=timestamp_ms_raw,
             flags=flags,
             imu_angles=imu_angles,
+            imu_angles_raw=imu_angles_raw,
             target_angles=target_angles,
+            target_angles_raw=target_angles_raw,
             target_speed=target_speed,
+            target_speed_raw=target_speed_raw,
             stator_rotor_angle=stator_rotor_angle,
+            stator_rotor_angle_raw=stator_rotor_angle_raw,
             gyro_data=gyro_data,
+            gyro_data_raw=gyro_data_raw,
             rc_data=rc_data,
+            rc_data_raw=rc_data_raw,
             z1_vector=z1_vector,
             h1_vector=h1_vector,
             rc_channels=rc_channels,
+            rc_channels_raw=rc_channels_raw,
             acc_data=acc_data,
+            acc_data_raw=acc_data_raw,
             motor4_control=motor4_control,
             ahrs_debug_info=ahrs_debug_info,
             encoder_raw24=encoder_raw24,
             imu_angles_rad=imu_angles_rad,
+            imu_angles_rad_raw=imu_angles_rad_raw,
             script_vars_float=script_vars_float,
             script_vars_int16=script_vars_int16,
             system_power_state=system_power_state,
             frame_cam_rate=frame_cam_rate,
+            frame_cam_rate_raw=frame_cam_rate_raw,
             imu_angles_20=imu_angles_20,
+            imu_angles_20_raw=imu_angles_20_raw,
             target_angles_20=target_angles_20,
+            target_angles_20_raw=target_angles_20_raw,
             comm_errors=comm_errors,
             system_state=system_state,
             imu_quat=imu_quat,
@@ -1164,15 +1281,19 @@ class RealtimeDataCustom(Message):
             adc_ch_raw=adc_ch_raw,
             sw_limits_dist=sw_limits_dist,
             follow_dist=follow_dist,
+            follow_dist_raw=follow_dist_raw,
             ext_target_limit_min=ext_target_limit_min,
+            ext_target_limit_min_raw=ext_target_limit_min_raw,
             ext_target_limit_max=ext_target_limit_max,
+            ext_target_limit_max_raw=ext_target_limit_max_raw,
             frame_cam_angle_20=frame_cam_angle_20,
+            frame_cam_angle_20_raw=frame_cam_angle_20_raw,
             main_imu_state=main_imu_state,
             tail=tail,
         )
 
 
-class RealtimeDataCustomRequest(Message):
+class RealtimeDataCustomRequest(Request["RealtimeDataCustom"]):
     """Request live data of the blocks in FLAGS.
 
     The requested blocks must fit into one body of 255 bytes; all of them do not.
@@ -1284,31 +1405,41 @@ class RealtimeDataCustom2(Message):
         self,
         *,
         timestamp_ms: float = UNSET,
+        timestamp_ms_raw: int = UNSET,
         flags: Optional[RealtimeDataCustom2Flags] = UNSET,
         frame_imu_angles: Optional[Axes[float]] = UNSET,
+        frame_imu_angles_raw: Optional[Axes[int]] = UNSET,
         frame_gyro: Optional[Axes[float]] = UNSET,
+        frame_gyro_raw: Optional[Axes[int]] = UNSET,
         frame_acc: Optional[Axes[float]] = UNSET,
+        frame_acc_raw: Optional[Axes[int]] = UNSET,
         debug: Optional[Iterable[int]] = UNSET,
         mag_sens_data: Optional[Axes[int]] = UNSET,
         pin_state: Optional[PinStates] = UNSET,
         stab_err_ampl: Optional[Axes[float]] = UNSET,
+        stab_err_ampl_raw: Optional[Axes[int]] = UNSET,
         tail: Bytes = UNSET,
     ) -> None:
         self._start(
             timestamp_ms=timestamp_ms,
+            timestamp_ms_raw=timestamp_ms_raw,
             flags=flags,
             frame_imu_angles=frame_imu_angles,
+            frame_imu_angles_raw=frame_imu_angles_raw,
             frame_gyro=frame_gyro,
+            frame_gyro_raw=frame_gyro_raw,
             frame_acc=frame_acc,
+            frame_acc_raw=frame_acc_raw,
             debug=debug,
             mag_sens_data=mag_sens_data,
             pin_state=pin_state,
             stab_err_ampl=stab_err_ampl,
+            stab_err_ampl_raw=stab_err_ampl_raw,
             tail=tail,
         )
 
 
-class RealtimeDataCustom2Request(Message):
+class RealtimeDataCustom2Request(Request["RealtimeDataCustom2"]):
     """Request live data of the blocks in FLAGS.
 
     CMD_REALTIME_DATA_CUSTOM2 (139), to the board; 10 bytes. Effect: reads. Since firmware
@@ -1334,7 +1465,7 @@ class RealtimeDataCustom2Request(Message):
         self._start(flags=flags, reserved=reserved, tail=tail)
 
 
-class DataStreamInterval(Message):
+class DataStreamInterval(Request["Confirm"]):
     """Start, change or end a data stream: messages that the board sends at a fixed rate.
 
     CMD_ID and CONFIG together identify the stream on this port; a second request with the same
@@ -1372,6 +1503,7 @@ class DataStreamInterval(Message):
         *,
         cmd_id: CommandFromBoard = UNSET,
         interval_ms: float = UNSET,
+        interval_ms_raw: int = UNSET,
         config: StreamConfig = UNSET,
         sync_to_data: StreamSync = UNSET,
         reserved: Bytes = UNSET,
@@ -1380,6 +1512,7 @@ class DataStreamInterval(Message):
         self._start(
             cmd_id=cmd_id,
             interval_ms=interval_ms,
+            interval_ms_raw=interval_ms_raw,
             config=config,
             sync_to_data=sync_to_data,
             reserved=reserved,
@@ -1484,42 +1617,62 @@ class CanDrvTelemetry(Message):
         *,
         drv_id: int = UNSET,
         timestamp_ms: float = UNSET,
+        timestamp_ms_raw: int = UNSET,
         can_bus_flags: Optional[int] = UNSET,
         can_bus_err_cnt: Optional[int] = UNSET,
         temp_board: Optional[float] = UNSET,
+        temp_board_raw: Optional[int] = UNSET,
         temp_motor: Optional[float] = UNSET,
+        temp_motor_raw: Optional[int] = UNSET,
         avg_current: Optional[float] = UNSET,
+        avg_current_raw: Optional[int] = UNSET,
         bus_voltage: Optional[float] = UNSET,
+        bus_voltage_raw: Optional[int] = UNSET,
         pin_state: Optional[CanDrvPins] = UNSET,
         phase_current: Optional[Iterable[float]] = UNSET,
+        phase_current_raw: Optional[Iterable[int]] = UNSET,
         encoder_error_cnt: Optional[int] = UNSET,
         iq_current: Optional[float] = UNSET,
+        iq_current_raw: Optional[int] = UNSET,
         id_current: Optional[float] = UNSET,
+        id_current_raw: Optional[int] = UNSET,
         motor_speed: Optional[float] = UNSET,
+        motor_speed_raw: Optional[int] = UNSET,
         pid_pos_err: Optional[int] = UNSET,
         pid_speed_err: Optional[int] = UNSET,
         iq_ref: Optional[float] = UNSET,
+        iq_ref_raw: Optional[int] = UNSET,
         pid_current_err: Optional[int] = UNSET,
         tail: Bytes = UNSET,
     ) -> None:
         self._start(
             drv_id=drv_id,
             timestamp_ms=timestamp_ms,
+            timestamp_ms_raw=timestamp_ms_raw,
             can_bus_flags=can_bus_flags,
             can_bus_err_cnt=can_bus_err_cnt,
             temp_board=temp_board,
+            temp_board_raw=temp_board_raw,
             temp_motor=temp_motor,
+            temp_motor_raw=temp_motor_raw,
             avg_current=avg_current,
+            avg_current_raw=avg_current_raw,
             bus_voltage=bus_voltage,
+            bus_voltage_raw=bus_voltage_raw,
             pin_state=pin_state,
             phase_current=phase_current,
+            phase_current_raw=phase_current_raw,
             encoder_error_cnt=encoder_error_cnt,
             iq_current=iq_current,
+            iq_current_raw=iq_current_raw,
             id_current=id_current,
+            id_current_raw=id_current_raw,
             motor_speed=motor_speed,
+            motor_speed_raw=motor_speed_raw,
             pid_pos_err=pid_pos_err,
             pid_speed_err=pid_speed_err,
             iq_ref=iq_ref,
+            iq_ref_raw=iq_ref_raw,
             pid_current_err=pid_current_err,
             tail=tail,
         )
@@ -1541,7 +1694,7 @@ class CanDrvState(Message):
         self._start(data=data, tail=tail)
 
 
-class CanDrvStateRequest(Message):
+class CanDrvStateRequest(Request["Optional[Confirm]"]):
     """Undocumented body to the board.
 
     CMD_CAN_DRV_STATE (98), to the board; 0 to 255 bytes. Effect: unknown. Since firmware 2.60.
@@ -1573,7 +1726,7 @@ class RealtimeDataCanDrv(Message):
         self._start(data=data, tail=tail)
 
 
-class RealtimeDataCanDrvRequest(Message):
+class RealtimeDataCanDrvRequest(Request["Optional[Confirm]"]):
     """Undocumented body to the board.
 
     CMD_REALTIME_DATA_CAN_DRV (101), to the board; 0 to 255 bytes. Effect: unknown. Since

@@ -4,14 +4,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import ClassVar, Optional, Union
+from typing import TYPE_CHECKING, ClassVar, Optional, Union
 
 from sbgc.fields import BYTES, RAW, REAL, TEXT, Axes, AxesOf, Elements, Field, GroupOf, ListOf
 from sbgc.fields import Structure, ValueOf, Xyz
-from sbgc.message import Message
+from sbgc.message import Message, Request
 from sbgc.msg.enums import *
 from sbgc.msg.packed import *
 from sbgc.values import UNSET
+
+if TYPE_CHECKING:
+    from sbgc.msg import Confirm
 
 __all__ = [
     "RunScript",
@@ -21,7 +24,7 @@ __all__ = [
 Bytes = Union[bytes, bytearray, memoryview]
 
 
-class RunScript(Message):
+class RunScript(Request["Optional[Confirm]"]):
     """Start or stop a script.
 
     CMD_RUN_SCRIPT (57), to the board; 34 bytes. Effect: sets, stores, moves, restarts. Since

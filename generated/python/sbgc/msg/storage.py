@@ -4,14 +4,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import ClassVar, Optional, Union
+from typing import TYPE_CHECKING, ClassVar, Optional, Union
 
 from sbgc.fields import BYTES, RAW, REAL, TEXT, Axes, AxesOf, Elements, Field, GroupOf, ListOf
 from sbgc.fields import Structure, ValueOf, Xyz
-from sbgc.message import Message
+from sbgc.message import Message, Request
 from sbgc.msg.enums import *
 from sbgc.msg.packed import *
 from sbgc.values import UNSET
+
+if TYPE_CHECKING:
+    from sbgc.msg import Confirm
 
 __all__ = [
     "EepromRead",
@@ -30,7 +33,7 @@ __all__ = [
 Bytes = Union[bytes, bytearray, memoryview]
 
 
-class EepromWrite(Message):
+class EepromWrite(Request["Confirm"]):
     """Write a block to the EEPROM.
 
     The EEPROM holds parameters and calibrations. Write only what you read from the same address
@@ -76,11 +79,20 @@ class ReadFile(Message):
         self,
         *,
         file_size: float = UNSET,
+        file_size_raw: int = UNSET,
         page_offset: float = UNSET,
+        page_offset_raw: int = UNSET,
         data: Bytes = UNSET,
         tail: Bytes = UNSET,
     ) -> None:
-        self._start(file_size=file_size, page_offset=page_offset, data=data, tail=tail)
+        self._start(
+            file_size=file_size,
+            file_size_raw=file_size_raw,
+            page_offset=page_offset,
+            page_offset_raw=page_offset_raw,
+            data=data,
+            tail=tail,
+        )
 
 
 class ReadFileError(Message):
@@ -99,7 +111,7 @@ class ReadFileError(Message):
         self._start(err_code=err_code, tail=tail)
 
 
-class ReadFileRequest(Message):
+class ReadFileRequest(Request["ReadFile"]):
     """Read part of a file.
 
     CMD_READ_FILE (53), to the board; 20 bytes. Effect: reads. Since board 3.0. Source: Outgoing
@@ -126,20 +138,24 @@ class ReadFileRequest(Message):
         *,
         file_id: int = UNSET,
         page_offset: float = UNSET,
+        page_offset_raw: int = UNSET,
         max_data_size: float = UNSET,
+        max_data_size_raw: int = UNSET,
         reserved: Bytes = UNSET,
         tail: Bytes = UNSET,
     ) -> None:
         self._start(
             file_id=file_id,
             page_offset=page_offset,
+            page_offset_raw=page_offset_raw,
             max_data_size=max_data_size,
+            max_data_size_raw=max_data_size_raw,
             reserved=reserved,
             tail=tail,
         )
 
 
-class WriteFile(Message):
+class WriteFile(Request["Confirm"]):
     """Write part of a file; without data, delete it.
 
     CMD_WRITE_FILE (54), to the board; 6 to 255 bytes. Effect: stores, erases. Since board 3.0.
@@ -166,20 +182,24 @@ class WriteFile(Message):
         *,
         file_id: int = UNSET,
         file_size: float = UNSET,
+        file_size_raw: int = UNSET,
         page_offset: float = UNSET,
+        page_offset_raw: int = UNSET,
         data: Bytes = UNSET,
         tail: Bytes = UNSET,
     ) -> None:
         self._start(
             file_id=file_id,
             file_size=file_size,
+            file_size_raw=file_size_raw,
             page_offset=page_offset,
+            page_offset_raw=page_offset_raw,
             data=data,
             tail=tail,
         )
 
 
-class FsClearAll(Message):
+class FsClearAll(Request["Confirm"]):
     """Delete all files.
 
     CMD_FS_CLEAR_ALL (55), to the board; 0 bytes. Effect: erases. Since board 3.0. Source:
@@ -211,7 +231,7 @@ class EepromRead(Message):
         self._start(addr=addr, data=data, tail=tail)
 
 
-class EepromReadRequest(Message):
+class EepromReadRequest(Request["EepromRead"]):
     """Read a block of the EEPROM.
 
     CMD_EEPROM_READ (48), to the board; 6 bytes. Effect: reads. Since board 3.0. Source:
@@ -229,8 +249,15 @@ class EepromReadRequest(Message):
     size_raw: Field[int, int] = Field(RAW, of="size")
     """The number on the wire for size."""
 
-    def __init__(self, *, addr: int = UNSET, size: float = UNSET, tail: Bytes = UNSET) -> None:
-        self._start(addr=addr, size=size, tail=tail)
+    def __init__(
+        self,
+        *,
+        addr: int = UNSET,
+        size: float = UNSET,
+        size_raw: int = UNSET,
+        tail: Bytes = UNSET,
+    ) -> None:
+        self._start(addr=addr, size=size, size_raw=size_raw, tail=tail)
 
 
 class ReadExternalData(Message):
@@ -249,7 +276,7 @@ class ReadExternalData(Message):
         self._start(data=data, tail=tail)
 
 
-class ReadExternalDataRequest(Message):
+class ReadExternalDataRequest(Request["ReadExternalData"]):
     """Request the user data in the EEPROM.
 
     CMD_READ_EXTERNAL_DATA (42), to the board; 0 bytes. Effect: reads. Since board 3.0. Source:
@@ -263,7 +290,7 @@ class ReadExternalDataRequest(Message):
         self._start(tail=tail)
 
 
-class WriteExternalData(ReadExternalData):
+class WriteExternalData(ReadExternalData, Request["Optional[Confirm]"]):
     """Store user data in the EEPROM.
 
     CMD_WRITE_EXTERNAL_DATA (41), to the board; 128 bytes, and later firmware may append more.

@@ -4,11 +4,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import ClassVar, Optional, Union
+from typing import TYPE_CHECKING, ClassVar, Optional, Union
 
 from sbgc.fields import BYTES, RAW, REAL, TEXT, Axes, AxesOf, Elements, Field, GroupOf, ListOf
 from sbgc.fields import Structure, ValueOf, Xyz
-from sbgc.message import Message
+from sbgc.message import Message, Request
 from sbgc.msg.enums import *
 from sbgc.msg.packed import *
 from sbgc.values import UNSET
@@ -117,7 +117,7 @@ class BoardInfo(Message):
         )
 
 
-class BoardInfoRequest(Message):
+class BoardInfoRequest(Request["BoardInfo"]):
     """Request the board and firmware version.
 
     CMD_BOARD_INFO (86), to the board, simple form; 0 bytes. Effect: reads. Source: Outgoing
@@ -131,7 +131,7 @@ class BoardInfoRequest(Message):
         self._start(tail=tail)
 
 
-class BoardInfoRequestOneByte(Message):
+class BoardInfoRequestOneByte(Request["BoardInfo"]):
     """Request the board and firmware version, with a byte that has no meaning.
 
     CMD_BOARD_INFO (86), to the board, one_byte form; 1 byte. Effect: reads. Source: Outgoing
@@ -147,7 +147,7 @@ class BoardInfoRequestOneByte(Message):
         self._start(reserved=reserved, tail=tail)
 
 
-class BoardInfoRequestExt(Message):
+class BoardInfoRequestExt(Request["BoardInfo"]):
     """Request the board and firmware version, and configure this serial port.
 
     On a port with a password, nothing else is answered before a request with it.
@@ -173,11 +173,12 @@ class BoardInfoRequestExt(Message):
         self,
         *,
         cfg: float = UNSET,
+        cfg_raw: int = UNSET,
         password: Optional[str] = UNSET,
         reserved: Bytes = UNSET,
         tail: Bytes = UNSET,
     ) -> None:
-        self._start(cfg=cfg, password=password, reserved=reserved, tail=tail)
+        self._start(cfg=cfg, cfg_raw=cfg_raw, password=password, reserved=reserved, tail=tail)
 
 
 class Confirm(Message):
@@ -355,12 +356,16 @@ class BoardInfo3(Message):
         device_id: Bytes = UNSET,
         mcu_id: Bytes = UNSET,
         eeprom_size: float = UNSET,
+        eeprom_size_raw: int = UNSET,
         script_slot_size: Iterable[float] = UNSET,
+        script_slot_size_raw: Iterable[int] = UNSET,
         profile_set_slots: StoredProfileSets = UNSET,
         profile_set_cur: int = UNSET,
         flash_size: float = UNSET,
+        flash_size_raw: int = UNSET,
         imu_calib_info: Bytes = UNSET,
         script_slot_6_to_10_size: Iterable[float] = UNSET,
+        script_slot_6_to_10_size_raw: Iterable[int] = UNSET,
         hw_flags: HardwareFlags = UNSET,
         board_features_ext2: BoardFeaturesExt2 = UNSET,
         can_drv_main_limit: int = UNSET,
@@ -373,12 +378,16 @@ class BoardInfo3(Message):
             device_id=device_id,
             mcu_id=mcu_id,
             eeprom_size=eeprom_size,
+            eeprom_size_raw=eeprom_size_raw,
             script_slot_size=script_slot_size,
+            script_slot_size_raw=script_slot_size_raw,
             profile_set_slots=profile_set_slots,
             profile_set_cur=profile_set_cur,
             flash_size=flash_size,
+            flash_size_raw=flash_size_raw,
             imu_calib_info=imu_calib_info,
             script_slot_6_to_10_size=script_slot_6_to_10_size,
+            script_slot_6_to_10_size_raw=script_slot_6_to_10_size_raw,
             hw_flags=hw_flags,
             board_features_ext2=board_features_ext2,
             can_drv_main_limit=can_drv_main_limit,
@@ -389,7 +398,7 @@ class BoardInfo3(Message):
         )
 
 
-class BoardInfo3Request(Message):
+class BoardInfo3Request(Request["BoardInfo3"]):
     """Request serial numbers, memory and scripts of the board.
 
     CMD_BOARD_INFO_3 (20), to the board; 0 bytes. Effect: reads. Since board 3.0. Source:
@@ -420,7 +429,7 @@ class Reset(Message):
         self._start(tail=tail)
 
 
-class ResetRequest(Message):
+class ResetRequest(Request["None"]):
     """Restart immediately, without notification.
 
     CMD_RESET (114), to the board, simple form; 0 bytes. Effect: restarts. Source: Outgoing
@@ -434,7 +443,7 @@ class ResetRequest(Message):
         self._start(tail=tail)
 
 
-class ResetRequestExt(Message):
+class ResetRequestExt(Request["Optional[Reset]"]):
     """Restart after a delay, with an optional notification.
 
     CMD_RESET (114), to the board, extended form; 3 bytes. Effect: restarts. Source: Outgoing
@@ -455,12 +464,13 @@ class ResetRequestExt(Message):
         *,
         confirm: ResetOptions = UNSET,
         delay_ms: float = UNSET,
+        delay_ms_raw: int = UNSET,
         tail: Bytes = UNSET,
     ) -> None:
-        self._start(confirm=confirm, delay_ms=delay_ms, tail=tail)
+        self._start(confirm=confirm, delay_ms=delay_ms, delay_ms_raw=delay_ms_raw, tail=tail)
 
 
-class BootMode3(Message):
+class BootMode3(Request["None"]):
     """Enter the bootloader immediately, without notification.
 
     The bootloader accepts new firmware and none of these commands, and the motors have no
@@ -477,7 +487,7 @@ class BootMode3(Message):
         self._start(tail=tail)
 
 
-class BootMode3Ext(Message):
+class BootMode3Ext(Request["Optional[Reset]"]):
     """Enter the bootloader after a delay, with an optional notification.
 
     The bootloader accepts new firmware and none of these commands, and the motors have no
@@ -501,9 +511,10 @@ class BootMode3Ext(Message):
         *,
         confirm: ResetOptions = UNSET,
         delay_ms: float = UNSET,
+        delay_ms_raw: int = UNSET,
         tail: Bytes = UNSET,
     ) -> None:
-        self._start(confirm=confirm, delay_ms=delay_ms, tail=tail)
+        self._start(confirm=confirm, delay_ms=delay_ms, delay_ms_raw=delay_ms_raw, tail=tail)
 
 
 class ReadStateVars(Message):
@@ -576,18 +587,29 @@ class ReadStateVars(Message):
         step_signal_val: Iterable[int] = UNSET,
         sub_error: SystemSubError = UNSET,
         max_acc: float = UNSET,
+        max_acc_raw: int = UNSET,
         work_time: float = UNSET,
+        work_time_raw: int = UNSET,
         startup_cnt: int = UNSET,
         max_current: float = UNSET,
+        max_current_raw: int = UNSET,
         imu_temp_min: float = UNSET,
+        imu_temp_min_raw: int = UNSET,
         imu_temp_max: float = UNSET,
+        imu_temp_max_raw: int = UNSET,
         mcu_temp_min: float = UNSET,
+        mcu_temp_min_raw: int = UNSET,
         mcu_temp_max: float = UNSET,
+        mcu_temp_max_raw: int = UNSET,
         shock_cnt: Iterable[int] = UNSET,
         energy_time: float = UNSET,
+        energy_time_raw: int = UNSET,
         energy: float = UNSET,
+        energy_raw: float = UNSET,
         avg_current_time: float = UNSET,
+        avg_current_time_raw: int = UNSET,
         avg_current: float = UNSET,
+        avg_current_raw: float = UNSET,
         reserved: Bytes = UNSET,
         tail: Bytes = UNSET,
     ) -> None:
@@ -595,24 +617,35 @@ class ReadStateVars(Message):
             step_signal_val=step_signal_val,
             sub_error=sub_error,
             max_acc=max_acc,
+            max_acc_raw=max_acc_raw,
             work_time=work_time,
+            work_time_raw=work_time_raw,
             startup_cnt=startup_cnt,
             max_current=max_current,
+            max_current_raw=max_current_raw,
             imu_temp_min=imu_temp_min,
+            imu_temp_min_raw=imu_temp_min_raw,
             imu_temp_max=imu_temp_max,
+            imu_temp_max_raw=imu_temp_max_raw,
             mcu_temp_min=mcu_temp_min,
+            mcu_temp_min_raw=mcu_temp_min_raw,
             mcu_temp_max=mcu_temp_max,
+            mcu_temp_max_raw=mcu_temp_max_raw,
             shock_cnt=shock_cnt,
             energy_time=energy_time,
+            energy_time_raw=energy_time_raw,
             energy=energy,
+            energy_raw=energy_raw,
             avg_current_time=avg_current_time,
+            avg_current_time_raw=avg_current_time_raw,
             avg_current=avg_current,
+            avg_current_raw=avg_current_raw,
             reserved=reserved,
             tail=tail,
         )
 
 
-class ReadStateVarsRequest(Message):
+class ReadStateVarsRequest(Request["ReadStateVars"]):
     """Request the statistics of the board's whole life.
 
     CMD_READ_STATE_VARS (111), to the board; 0 bytes. Effect: reads. Since firmware 2.68b7,
@@ -642,7 +675,7 @@ class SignMessage(Message):
         self._start(signature=signature, tail=tail)
 
 
-class SignMessageRequest(Message):
+class SignMessageRequest(Request["SignMessage"]):
     """Sign a message with the keys of the board.
 
     CMD_SIGN_MESSAGE (50), to the board; 33 bytes. Effect: reads. Since firmware 2.50, board
@@ -690,7 +723,7 @@ class PassProtectRead(Message):
         self._start(flags=flags, reserved=reserved, tail=tail)
 
 
-class PassProtectReadRequest(Message):
+class PassProtectReadRequest(Request["PassProtectRead"]):
     """Request what a password protects.
 
     CMD_PASS_PROTECT_READ (136), to the board; 0 bytes. Effect: reads. Since firmware 2.73.6.
@@ -704,7 +737,7 @@ class PassProtectReadRequest(Message):
         self._start(tail=tail)
 
 
-class PassProtectWrite(Message):
+class PassProtectWrite(Request["Confirm"]):
     """Choose what a password protects.
 
     CMD_PASS_PROTECT_WRITE (137), to the board; 9 to 41 bytes. Effect: stores. Since firmware
@@ -747,7 +780,7 @@ class QueueParamsInfo3(Message):
         self._start(data=data, tail=tail)
 
 
-class QueueParamsInfo3Request(Message):
+class QueueParamsInfo3Request(Request["Optional[Confirm]"]):
     """Undocumented body to the board.
 
     CMD_QUEUE_PARAMS_INFO_3 (30), to the board; 0 to 255 bytes. Effect: unknown. Since board
@@ -779,7 +812,7 @@ class SystemState(Message):
         self._start(data=data, tail=tail)
 
 
-class SystemStateRequest(Message):
+class SystemStateRequest(Request["Optional[Confirm]"]):
     """Undocumented body to the board.
 
     CMD_SYSTEM_STATE (52), to the board; 0 to 255 bytes. Effect: unknown. Since board 3.0.
@@ -811,7 +844,7 @@ class MavlinkInfo(Message):
         self._start(data=data, tail=tail)
 
 
-class MavlinkInfoRequest(Message):
+class MavlinkInfoRequest(Request["Optional[Confirm]"]):
     """Undocumented body to the board.
 
     CMD_MAVLINK_INFO (250), to the board; 0 to 255 bytes. Effect: unknown. Since board 3.0.
@@ -843,7 +876,7 @@ class MavlinkDebug(Message):
         self._start(data=data, tail=tail)
 
 
-class MavlinkDebugRequest(Message):
+class MavlinkDebugRequest(Request["Optional[Confirm]"]):
     """Undocumented body to the board.
 
     CMD_MAVLINK_DEBUG (251), to the board; 0 to 255 bytes. Effect: unknown. Since board 3.0.
@@ -875,7 +908,7 @@ class ExtLicenseInfo(Message):
         self._start(data=data, tail=tail)
 
 
-class ExtLicenseInfoRequest(Message):
+class ExtLicenseInfoRequest(Request["Optional[Confirm]"]):
     """Undocumented body to the board.
 
     CMD_EXT_LICENSE_INFO (124), to the board; 0 to 255 bytes. Effect: unknown. Since firmware
@@ -891,7 +924,7 @@ class ExtLicenseInfoRequest(Message):
         self._start(data=data, tail=tail)
 
 
-class WriteStateVars(ReadStateVars):
+class WriteStateVars(ReadStateVars, Request["Confirm"]):
     """Store the statistics of the board's whole life.
 
     Write back what you read, and change only what you need.

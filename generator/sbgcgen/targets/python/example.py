@@ -250,13 +250,10 @@ def _look(piece: Piece) -> tuple[str, str]:
 
 
 def _flags(type_: Enum, bits: int) -> str:
-    """Flags as Python shows them: single bits, and the rest as a number."""
-    names = [f for f in type_.values if not f.value & (f.value - 1) and bits & f.value]
-    exact = value_named(type_, bits)
-    if exact or not names:
-        return f"<{type_.name}.{enum_name(exact)}: {bits}>" if exact else f"<{type_.name}: {bits}>"
-    rest = bits
-    for flag in names:
-        rest &= ~flag.value
-    said = "|".join([enum_name(flag) for flag in names] + ([f"{rest:#x}"] if rest else []))
-    return f"<{type_.name}.{said}: {bits}>"
+    """Flags as Python shows them: those with a name, and the rest as a number."""
+    said, rest = [], bits
+    for flag in type_.values:
+        if flag.value and rest & flag.value == flag.value:
+            said.append(f"{type_.name}.{enum_name(flag)}")
+            rest &= ~flag.value
+    return " | ".join([*said, *([f"{type_.name}({rest:#x})"] if rest or not said else [])])

@@ -9,8 +9,8 @@ from sbgcgen.spec.diagnostics import Diagnostics
 
 # What the modules import, and the classes in them derive from.
 TAKEN = frozenset(
-    """Axes AxesOf BYTES Bytes ClassVar Elements Field Framing GroupOf IntEnum IntFlag Iterable ListOf
-    Message OpenEnum Optional Packed Part RAW REAL Structure TEXT UNSET Union ValueOf Xyz""".split()
+    """Axes AxesOf BYTES Bytes ClassVar Elements Field Framing GroupOf IntEnum Iterable ListOf Message
+    Flags8 Flags16 Flags32 OpenEnum Optional Packed Part RAW REAL Request Structure TEXT TYPE_CHECKING UNSET Union ValueOf Xyz""".split()
 )
 
 

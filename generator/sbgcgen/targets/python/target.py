@@ -22,7 +22,10 @@ class Python(Target):
     """Modules of the package `sbgc.msg`, and the blocking client; python/ has the rest of the package."""
 
     def view(self, layout: Layout, project: Path) -> View:
-        return View(names={"homes": words.homes(layout)}, filters=words.FILTERS)
+        return View(
+            names={"homes": words.homes(layout), "answers": words.answers(layout)},
+            filters=words.FILTERS,
+        )
 
     def files(self, layout: Layout, project: Path) -> Iterator[tuple[str, bytes]]:
         yield from super().files(layout, project)

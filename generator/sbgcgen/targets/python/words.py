@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import keyword
+import re
 import textwrap
 from collections.abc import Callable
 from typing import Any
@@ -260,6 +261,27 @@ def part_type(part: Part) -> str:
     return "bool" if part.is_bool else "int"
 
 
+def answers(layout: Layout) -> dict[str, str]:
+    """The type of what a call returns, for each request: its responses, or their confirmation."""
+    errors = {message.name for message in layout.messages if message.form == "error"}
+    confirmations = [m.name for m in layout.messages if m.role and m.role.kind == "confirmation"]
+    found: dict[str, str] = {}
+    for message in layout.messages:
+        if message.answer is None:
+            continue
+        names: list[str] = []
+        for case in message.answer.cases:
+            names += [name for name in case.messages if name not in errors]
+            names += confirmations if case.confirm != "never" and not case.messages else []
+            names += ["None"] if case.confirm != "always" and not case.messages else []
+        possible = [name for name in dict.fromkeys(names) if name != "None"]
+        one = possible[0] if len(possible) == 1 else f"Union[{', '.join(possible)}]"
+        if "None" in names:
+            one = f"Optional[{one}]" if possible else "None"
+        found[message.name] = one
+    return found
+
+
 def homes(layout: Layout) -> dict[str, tuple[str, str]]:
     """A message with each structure in it, and the path."""
     found: dict[str, tuple[str, str]] = {}
@@ -293,4 +315,7 @@ FILTERS: dict[str, Callable[..., Any]] = {
     "repr": repr,
     "shown": shown,
     "value_doc": value_doc,
+    "words": lambda text: [
+        word for word in re.findall(r"\w+", text) if word not in ("Union", "Optional", "None")
+    ],
 }

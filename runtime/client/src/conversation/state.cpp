@@ -130,20 +130,24 @@ bool Conversation::State::is_stuck() const {
 class Conversation::State::StreamHold : public Subscription::Registration {
  public:
   StreamHold(std::unique_ptr<Registration> membership, std::weak_ptr<State> state,
-             StreamListeners::Key key)
-      : membership_(std::move(membership)), state_(std::move(state)), key_(std::move(key)) {}
+             StreamListeners::Key key, StreamListeners::Listener listener)
+      : membership_(std::move(membership)),
+        state_(std::move(state)),
+        key_(std::move(key)),
+        listener_(listener) {}
   StreamHold(const StreamHold&) = delete;
   StreamHold& operator=(const StreamHold&) = delete;
   // NOLINTNEXTLINE(bugprone-exception-escape): throws only when out of memory
   ~StreamHold() override {
     membership_.reset();
-    if (const auto state = state_.lock()) state->leave_stream(key_);
+    if (const auto state = state_.lock()) state->leave_stream(key_, listener_);
   }
 
  private:
   std::unique_ptr<Registration> membership_;
   std::weak_ptr<State> state_;
   StreamListeners::Key key_;
+  StreamListeners::Listener listener_;
 };
 
 Instant Conversation::State::start_stream(CallId id, StreamRequests requests, MessageKey key,
@@ -164,40 +168,51 @@ Instant Conversation::State::start_stream(CallId id, StreamRequests requests, Me
     return Instant::never;
   }
   const StreamListeners::Key stream = StreamListeners::key_of(*start);
-  streams_->join(stream, *std::move(requests.end));
+  const auto listener = streams_->join(stream, *start, *std::move(requests.end));
+  auto paced = [this, stream, listener, handler = std::move(handler)](const void* sample) {
+    if (streams_->is_due(stream, listener)) handler(sample);
+  };
   // Subscribe before the first sample can arrive.
-  auto hold = std::make_unique<StreamHold>(delivery_.subscribe(key, std::move(handler)),
-                                           weak_from_this(), stream);
-  return this->start(
-      id, std::move(start), options,
-      [this, stream, hold = std::make_shared<std::unique_ptr<StreamHold>>(std::move(hold)),
-       done = std::move(done)](Result<Reply> reply) {
-        const bool is_unheard = !reply && reply.error().code != ErrorCode::timeout &&
-                                reply.error().code != ErrorCode::cancelled;
-        // The board may have received the request, so the stream must be ended as well.
-        if (!is_unheard) streams_->set_running(stream);
-        if (reply) return done(Subscription(std::move(*hold)));
-        hold->reset();
-        done(std::move(reply).error());
-      });
+  auto hold = std::make_unique<StreamHold>(delivery_.subscribe(key, std::move(paced)),
+                                           weak_from_this(), stream, listener);
+  Request fastest = streams_->fastest(stream);
+  const std::uint32_t interval = fastest.policy.stream.interval_us;
+  return this->start(id, std::move(fastest), options,
+                     [this, stream, interval,
+                      hold = std::make_shared<std::unique_ptr<StreamHold>>(std::move(hold)),
+                      done = std::move(done)](Result<Reply> reply) {
+                       const bool is_unheard = !reply && reply.error().code != ErrorCode::timeout &&
+                                               reply.error().code != ErrorCode::cancelled;
+                       // The board may have received the request, so the stream must be ended as
+                       // well.
+                       if (!is_unheard) set_running(stream, interval, static_cast<bool>(reply));
+                       if (reply) return done(Subscription(std::move(*hold)));
+                       hold->reset();
+                       done(std::move(reply).error());
+                     });
 }
 
 /// Keeps a request repeated as long as it lives.
 class Conversation::State::PollHold : public Subscription::Registration {
  public:
-  PollHold(std::unique_ptr<Registration> membership, std::weak_ptr<State> state, std::uint8_t id)
-      : membership_(std::move(membership)), state_(std::move(state)), id_(id) {}
+  PollHold(std::unique_ptr<Registration> membership, std::weak_ptr<State> state, std::uint8_t id,
+           Duration interval)
+      : membership_(std::move(membership)),
+        state_(std::move(state)),
+        id_(id),
+        interval_(interval) {}
   PollHold(const PollHold&) = delete;
   PollHold& operator=(const PollHold&) = delete;
   ~PollHold() override {
     membership_.reset();
-    if (const auto state = state_.lock()) state->polls_->leave(id_);
+    if (const auto state = state_.lock()) state->polls_->leave(id_, interval_);
   }
 
  private:
   std::unique_ptr<Registration> membership_;
   std::weak_ptr<State> state_;
   std::uint8_t id_;
+  Duration interval_;
 };
 
 Instant Conversation::State::start_polling(CallId id, StreamRequests requests, MessageKey key,
@@ -208,7 +223,7 @@ Instant Conversation::State::start_polling(CallId id, StreamRequests requests, M
   const Duration interval = std::max(Duration{requests.polling->interval.count()}, milliseconds(1));
   polls_->join(request, options, interval, io::now());
   auto hold = std::make_unique<PollHold>(delivery_.subscribe(key, std::move(handler)),
-                                         weak_from_this(), request.id);
+                                         weak_from_this(), request.id, interval);
   post([this, text = std::string(request.command) +
                      " is repeated instead of a data stream: " + requests.polling->reason] {
     delivery_.notify({NoticeKind::polling, text});
@@ -222,15 +237,30 @@ Instant Conversation::State::start_polling(CallId id, StreamRequests requests, M
                      });
 }
 
-void Conversation::State::leave_stream(const StreamListeners::Key& key) {
-  std::optional<Request> end = streams_->leave(key);
-  if (!end) return;
-  start(next_call_id(), *std::move(end), {}, [this, key](const Result<Reply>& reply) {
+/// Records the interval of the board, and asks for another one if the listeners have changed.
+void Conversation::State::set_running(const StreamListeners::Key& key, std::uint32_t interval,
+                                      bool may_change) {
+  const std::optional<Request> wanted = streams_->set_running(key, interval);
+  if (wanted && may_change) change_stream(key, *wanted);
+}
+
+void Conversation::State::change_stream(const StreamListeners::Key& key, Request request) {
+  const std::uint32_t interval = request.policy.stream.interval_us;
+  start(next_call_id(), std::move(request), {}, [this, key, interval](const Result<Reply>& reply) {
     // A conversation that has ended also ends its streams.
     const bool is_over = !reply && (reply.error().code == ErrorCode::cancelled ||
                                     reply.error().code == ErrorCode::not_connected);
-    if (!is_over) streams_->end_sent(key);
+    if (is_over) return;
+    if (interval == 0) return streams_->end_sent(key);
+    if (reply) set_running(key, interval, true);
   });
+}
+
+void Conversation::State::leave_stream(const StreamListeners::Key& key,
+                                       StreamListeners::Listener listener) {
+  if (std::optional<Request> change = streams_->leave(key, listener)) {
+    change_stream(key, *std::move(change));
+  }
 }
 
 // On the strand.

@@ -99,7 +99,9 @@ class Conversation::State : public Channel::User,
   bool is_stuck() const;
   void wake();
   void post(std::function<void()> function);
-  void leave_stream(const StreamListeners::Key& key);
+  void leave_stream(const StreamListeners::Key& key, StreamListeners::Listener listener);
+  void change_stream(const StreamListeners::Key& key, Request request);
+  void set_running(const StreamListeners::Key& key, std::uint32_t interval, bool may_change);
   Instant start_polling(CallId id, StreamRequests requests, MessageKey key, MessageHandler handler,
                         const CallOptions& options, StreamHandler done);
   bool is_open() const;

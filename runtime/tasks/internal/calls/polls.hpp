@@ -2,9 +2,9 @@
 #pragma once
 
 #include <algorithm>
-#include <cstddef>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <vector>
 
 #include <sbgc/client/options.hpp>
@@ -20,20 +20,31 @@ class Polls {
   struct Poll {
     Request request{};
     CallOptions options{};
-    Duration interval{};
+    std::multiset<Duration> intervals{};  // of the listeners
     Instant next{};
-    std::size_t listeners{};
     bool is_pending{};
   };
 
-  /// Adds a listener; the last one decides about the interval, as with streams.
+  /// Adds a listener; the shortest interval counts, as with streams.
   void join(const Request& request, const CallOptions& options, Duration interval, Instant now) {
     Poll& poll = polls_[request.id];
-    poll = {request, options, interval, now + interval, poll.listeners + 1, poll.is_pending};
+    poll.request = request;
+    poll.options = options;
+    poll.intervals.insert(interval);
+    poll.next = now + *poll.intervals.begin();
   }
-  void leave(std::uint8_t id) {
+  /// Removes a listener with this interval.
+  void leave(std::uint8_t id, Duration interval) {
     const auto at = polls_.find(id);
-    if (at != polls_.end() && --at->second.listeners == 0) polls_.erase(at);
+    if (at == polls_.end()) return;
+    std::multiset<Duration>& intervals = at->second.intervals;
+    const Duration before = *intervals.begin();
+    intervals.erase(intervals.find(interval));
+    if (intervals.empty()) {
+      polls_.erase(at);
+    } else {
+      at->second.next = at->second.next - before + *intervals.begin();
+    }
   }
 
   /// Returns what is due, which is pending from now on.
@@ -42,7 +53,7 @@ class Polls {
     for (auto& [id, poll] : polls_) {
       if (poll.is_pending || now < poll.next) continue;
       poll.is_pending = true;
-      poll.next = std::max(poll.next + poll.interval, now);
+      poll.next = std::max(poll.next + *poll.intervals.begin(), now);
       due.push_back(poll);
     }
     return due;
