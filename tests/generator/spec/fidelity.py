@@ -1,81 +1,16 @@
-"""Compares the facts of the specification's text with the exported model.
-
-Every comparison is a Check of the text's statement against the model's. The deviations are not here but
-in tests/data/fidelity_exceptions.yaml, each with its erratum.
-"""
+"""Compares the facts of the specification's text with the exported model."""
 
 from __future__ import annotations
 
-import json
 import re
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator
 from dataclasses import dataclass
 from fnmatch import fnmatchcase
-from pathlib import Path
 from typing import Any
 
-import yaml
-
-from sbgcgen.model.names import parse_lines
-from support import PROJECT
-
-Json = dict[str, Any]
-DATA = PROJECT / "tests" / "data"
-LATER = "Later firmware"  # the source of what the text of 2016 lacks
-
-
-def loaded(path: Path) -> Json:
-    """Returns the content of a JSON or YAML file."""
-    text = path.read_text(encoding="utf-8")
-    found: Json = json.loads(text) if path.suffix == ".json" else yaml.safe_load(text)
-    return found
-
-
-def model_of_documents() -> Json:
-    """Returns the exported model without what has other sources than the two documents, such as release notes."""
-    model = loaded(PROJECT / "generated" / "simplebgc.json")
-    others = set()
-    for kind in ("messages", "enums", "packed"):
-        for thing in list(model[kind]):
-            if thing["source"] != LATER and not parse_lines(thing["source"]):
-                model[kind].remove(thing)
-                others.add(thing.get("command"))
-    newer = loaded(PROJECT / "tests" / "data" / "later_exceptions.yaml")["newer"]
-    flags = set()
-    for enum in model["enums"]:
-        for value in list(enum["values"]):
-            if any(fnmatchcase(f"{enum['name']}.{value['name']}", pattern) for pattern in newer):
-                enum["values"].remove(value)
-                flags.add(value["name"])
-    for message in model["messages"]:
-        message["layout"] = [
-            leaf
-            for leaf in message["layout"]
-            if "fits" not in leaf and flags.isdisjoint((leaf.get("when") or {}).get("has", ()))
-        ]
-    others -= {message["command"] for message in model["messages"]}
-    model["commands"] = [command for command in model["commands"] if command["name"] not in others]
-    return model
-
-
-def named(things: list[Json], name: str, key: str = "name") -> Json:
-    """Returns the first thing of this name."""
-    return next(thing for thing in things if thing[key] == name)
-
-
-def leaf_of(model: Json, message: str, name: str) -> Json:
-    """Returns the leaf of a message with this protocol name."""
-    return named(named(model["messages"], message)["layout"], name, "spec_name")
-
-
-def value_of(model: Json, enum: str, name: str) -> Json:
-    """Returns a value of an enum."""
-    return named(named(model["enums"], enum)["values"], name)
-
+from documents import SIZES, Check, Json, Model, Ours, Table, our_elements, version
 
 TYPES = {"1u": "u8", "1s": "i8", "2u": "u16", "2s": "i16", "4u": "u32", "4s": "i32", "4f": "f32"}
-SIZES = {"u8": 1, "i8": 1, "u16": 2, "i16": 2, "u32": 4, "i32": 4, "f32": 4, "float": 4}
-SIZES |= {"u24": 3, "i24": 3, "u64": 8, "i64": 8, "f64": 8}
 UNITS = {
     "degree": "deg",
     "degrees": "deg",
@@ -95,61 +30,6 @@ UNITS = {
 
 
 @dataclass(frozen=True)
-class Check:
-    """A fact: the statement of the text, its line, and the statement of the model."""
-
-    kind: str
-    line: int
-    name: str
-    said: Any
-    ours: Any
-
-    @property
-    def holds(self) -> bool:
-        return bool(self.said == self.ours)
-
-    @property
-    def fact(self) -> tuple[str, int, str, str]:
-        """Identifies a statement of the text, however often it is compared."""
-        return (self.kind, self.line, self.name.rpartition(".")[2], str(self.said))
-
-    @property
-    def is_addition(self) -> bool:
-        """True if the model has a fact that the text lacks."""
-        return self.kind.startswith("extra")
-
-    def __str__(self) -> str:
-        return f"L{self.line} {self.kind} {self.name}: said {self.said}, we have {self.ours}"
-
-
-def entry_lines(entry: Json, line: int) -> tuple[int, int]:
-    """Returns the range of lines that an entry applies to; without lines, it applies to any."""
-    lines = entry.get("line", line)
-    return (lines[0], lines[1]) if isinstance(lines, list) else (lines, lines)
-
-
-@dataclass
-class Table:
-    """The exceptions; `used` records which were needed."""
-
-    entries: list[Json]
-    used: set[int]
-
-    def find(self, kind: str, line: int, name: str) -> Json | None:
-        """Returns the entry for a fact and marks it as used."""
-        for number, entry in enumerate(self.entries):
-            first, last = entry_lines(entry, line)
-            if (
-                entry["kind"] == kind
-                and first <= line <= last
-                and any(fnmatchcase(name, pattern) for pattern in str(entry["name"]).split())
-            ):
-                self.used.add(number)
-                return entry
-        return None
-
-
-@dataclass(frozen=True)
 class Element:
     """An element of a body in the text: a number, a run of bytes, or a variable part."""
 
@@ -159,18 +39,6 @@ class Element:
     line: int
     index: str
     fact: Json
-
-
-@dataclass(frozen=True)
-class Ours:
-    """An element of a layout in the model."""
-
-    name: str
-    type: str
-    path: str
-    offset: int | None
-    size: int
-    leaf: Json
 
 
 def text_elements(body: Json) -> list[Element]:
@@ -193,21 +61,6 @@ def text_elements(body: Json) -> list[Element]:
     return found
 
 
-def our_elements(message: Json) -> list[Ours]:
-    """Returns the elements of a layout; in the text, strings and bytes are both runs of bytes."""
-    found = []
-    for leaf in message["layout"]:
-        count = leaf["count"]
-        type_, size = leaf["type"], SIZES.get(leaf["type"], 0)
-        if type_ in ("bytes", "text"):
-            type_ = f"bytes {count}" if count is not None else "variable"
-            size, count = count or 0, 1
-        for i in range(1 if count is None else count):
-            offset = None if leaf["offset"] is None else leaf["offset"] + i * size
-            found.append(Ours(leaf["spec_name"], type_, leaf["path"], offset, size, leaf))
-    return found
-
-
 def same_name(said: str, ours: str) -> bool:
     """Returns True if the names are equal, except for the case of 'reserved'."""
     return said == ours or said.upper() == ours == "RESERVED"
@@ -218,7 +71,7 @@ def body_paths(message: Json) -> list[str]:
     return [re.sub(r"reserved_\d", "reserved", leaf["path"]) for leaf in message["layout"]]
 
 
-class Comparison:
+class Comparison(Model):
     """All checks of the facts against the model.
 
     `later` are the leaves that the notes on the later protocol tell about: by message, direction and
@@ -228,13 +81,10 @@ class Comparison:
     def __init__(
         self, facts: Json, model: Json, table: Table, later: Collection[tuple[str, str, str]] = ()
     ) -> None:
+        super().__init__(model)
         self.facts = facts
-        self.model = model
         self.table = table
         self.later = later
-        self.enums = {e["name"]: e for e in model["enums"]}
-        self.packed = {p["name"]: p for p in model["packed"]}
-        self.commands = {c["name"]: c for c in model["commands"]}
         self.described: set[tuple[str, str]] = set()  # (message, path) with a range in the text
         self.measured: set[tuple[str, str]] = set()  # (message, path) with a unit in the text
         self.named: set[tuple[str, int]] = set()  # constants of the text
@@ -261,8 +111,7 @@ class Comparison:
             name, line = define["name"], define["line"]
             command = self.commands.get(name, {})
             yield Check("id", line, name, define["value"], command.get("id"))
-            board = (command.get("since") or {}).get("board")
-            yield Check("board", line, name, define.get("board"), board)
+            yield Check("board", line, name, define.get("board"), version(command, "board"))
 
     def framing(self) -> Iterator[Check]:
         framing = self.model["framings"][0]  # v1, the only one of the text
@@ -303,11 +152,7 @@ class Comparison:
 
     def message_of(self, body: Json, command: str) -> tuple[Check, Json | None]:
         """Returns the message for a body of the text, by direction and form."""
-        forms = {
-            m.get("form_name"): m
-            for m in self.model["messages"]
-            if (m["command"], m["direction"]) == (command, body["direction"])
-        }
+        forms = {m.get("form_name"): m for m in self.messages_of(command, body["direction"])}
         said = body["form"]
         entry = self.table.find("form", body["line"], command)
         if entry:
@@ -332,7 +177,7 @@ class Comparison:
         yield Check("body", body["line"], command, body["direction"], message["direction"])
         self.met.add((message["name"], message["direction"]))
         if "since" in body:
-            since = (message["since"] or {}).get("firmware")
+            since = version(message)
             yield Check("since", body["line"], message["name"], body["since"], since)
         if "same_as" in body:
             yield from self.same_body(body, command, message)
@@ -355,18 +200,16 @@ class Comparison:
             other = command.replace("WRITE", "READ")
         opposite = "from_board" if body["direction"] == "to_board" else "to_board"
         direction = body["direction"] if body["fields"] else opposite
-        models = [
-            m
-            for m in self.model["messages"]
-            if m["command"] == other and m["direction"] == direction
-        ]
+        models = self.messages_of(other, direction)
         own = {leaf["spec_name"]: leaf for leaf in message["layout"]}
         direction_of = message["direction"]
         if not models:
             yield Check("same body", body["line"], command, other, None)
         elif not body["fields"]:
-            shape = [(f["path"], f["type"], f["count"]) for f in message["layout"]]
-            theirs = [(f["path"], f["type"], f["count"]) for f in models[0]["layout"]]
+            shape, theirs = (
+                [(f["path"], f["type"], f["count"], f["offset"]) for f in one["layout"]]
+                for one in (message, models[0])
+            )
             ours = other if shape == theirs else "another body"
             self.compared |= {(message["name"], direction_of, f["path"]) for f in message["layout"]}
             yield Check("same body", body["line"], command, other, ours)
@@ -526,7 +369,7 @@ class Comparison:
                 )
                 yield Check("count", line, where, int(array[1]), counts)
             if "version" in row:
-                versions = self.one((m["since"] or {}).get("firmware") for m, _ in leaves)
+                versions = self.one(version(m) for m, _ in leaves)
                 yield Check("since", line, where, row["version"], versions)
             remark = dict(row)
             if len(several) == len(row["names"]) > 1:
@@ -539,7 +382,7 @@ class Comparison:
         wanted = [name] if entry is None else str(entry["ours"] or "").split()
         found = [
             (message, leaf)
-            for message in self.model["messages"]
+            for message in self.messages
             if message["command"] in row["commands"]
             and self.is_old(message)
             and row.get("direction", message["direction"]) == message["direction"]
@@ -582,9 +425,6 @@ class Comparison:
     ) -> Iterator[Check]:
         """Checks constants, values, bits, units etc., which every leaf must have."""
 
-        def all_have(test: Any, said: Any) -> Any:
-            return said if all(test(leaf) for leaf in leaves) else None
-
         for constant in fact.get("constants", []):
             at = constant.get("line", line)
             label = f"{name}.{constant['name']}"
@@ -596,17 +436,19 @@ class Comparison:
             self.named.add((wanted, constant["value"]))
             yield Check("constant", at, f"{label}={constant['value']}", said, ours)
             if "board" in constant:
-                board = self.one(v and (v["since"] or {}).get("board") for v in known)
+                board = self.one(version(v, "board") for v in known)
                 yield Check("board", at, label, constant["board"], board)
-        for value in fact.get("values", []):
-            ours = all_have(lambda leaf: self.has_value(leaf, value), value)
-            yield Check("value", line, f"{name}={value}", value, ours)
-        for value in fact.get("special", []):
-            ours = all_have(lambda leaf: self.is_special(leaf, value), value)
-            yield Check("special", line, f"{name}={value}", value, ours)
-        for first, last in fact.get("bits", []):
-            ours = all_have(lambda leaf: self.has_bits(leaf, first, last), (first, last))
-            yield Check("bits", line, f"{name}[{first}..{last}]", (first, last), ours)
+        tests: tuple[tuple[str, str, str, Callable[[Json, Any], bool]], ...] = (
+            ("values", "value", "={}", self.has_value),
+            ("special", "special", "={}", self.is_special),
+            ("bits", "bits", "[{0[0]}..{0[1]}]", self.has_bits),
+            ("since", "since", "", lambda leaf, said: said in self.versions(leaf)),
+            ("digits", "digits", ".{0[0]}", self.digits_agree),
+        )
+        for key, kind, suffix, test in tests:
+            for said in fact.get(key, []):
+                ours = said if all(test(leaf, said) for leaf in leaves) else None
+                yield Check(kind, line, name + suffix.format(said), said, ours)
         for low, high in fact.get("ranges", []):
             limits = self.one((f["min"], f["max"]) for f in leaves)
             if low == 0 and leaves[0].get("max_count") is not None:
@@ -618,16 +460,10 @@ class Comparison:
             self.measured |= {(m["name"], leaf["path"]) for m, leaf in pairs}
         for align in fact.get("align", []):
             yield Check("align", line, name, align, self.one(f.get("align", 1) for f in leaves))
-        for version in fact.get("since", []):
-            ours = all_have(lambda leaf: version in self.versions(leaf), version)
-            yield Check("since", line, name, version, ours)
-        for part, operations in fact.get("digits", []):
-            ours = all_have(lambda leaf: self.digits_agree(leaf, part, operations), operations)
-            yield Check("digits", line, f"{name}.{part}", operations, ours)
         for field, command in fact.get("references", []):
             others = [
                 leaf
-                for message in self.model["messages"]
+                for message in self.messages
                 if message["command"] == command
                 for leaf in message["layout"]
                 if leaf["spec_name"] == field
@@ -677,26 +513,27 @@ class Comparison:
                 return True
         if leaf["min"] is not None and not leaf["enum"]:
             return bool(leaf["min"] <= value <= leaf["max"])
-        parts = self.packed.get(leaf.get("packed", ""), {}).get("parts", [])
+        parts = self.parts(leaf)
         return any(not p["enum"] and 0 <= value <= p["mask"] >> p["shift"] for p in parts)
 
     def is_special(self, leaf: Json, value: int) -> bool:
         named = any(v["value"] == value for enum, _ in self.enums_of(leaf) for v in enum["values"])
         return named or str(value) in leaf.get("special", {})
 
-    def has_bits(self, leaf: Json, first: int, last: int) -> bool:
+    def has_bits(self, leaf: Json, bits: list[int]) -> bool:
+        first, last = bits
         mask = ((1 << (last - first + 1)) - 1) << first
-        parts = self.packed.get(leaf.get("packed", ""), {}).get("parts", [])
+        parts = self.parts(leaf)
         masks = [p["mask"] for p in parts if p["mask"] is not None]
         union = 0
         for one in masks:
             union |= one if not one & ~mask else 0
         if union == mask:
             return True
-        bits = [1 << i for i in range(first, last + 1)]
+        flags = [1 << i for i in range(first, last + 1)]
         named = {v["value"] for enum, _ in self.enums_of(leaf) for v in enum["values"]}
-        reserved = len(bits) > 1 and not any(value & mask for value in named)
-        return reserved or all(bit in named for bit in bits)
+        reserved = len(flags) > 1 and not any(value & mask for value in named)
+        return reserved or all(flag in named for flag in flags)
 
     def unit(self, unit: Json, line: int, name: str, leaves: list[Json]) -> Check:
         """Checks scale and unit, of the field itself or of the alternative that a flag chooses."""
@@ -708,7 +545,7 @@ class Comparison:
             mine = (leaf["scale"] or 1, leaf["unit"], leaf.get("add", 0))
             other = leaf.get("alternative")
             options = [mine] + ([(other["scale"], other["unit"], 0)] if other else [])
-            for part in self.packed.get(leaf.get("packed", ""), {}).get("parts", []):
+            for part in self.parts(leaf):
                 if part["divide"]:
                     options.append((1 / part["divide"], None, 0))
             near = [o for o in options if abs(o[0] / scale - 1) < 2e-6 and o[1:] == said[1:]]
@@ -720,10 +557,10 @@ class Comparison:
         notes += [v["since"] for enum, _ in self.enums_of(leaf) for v in enum["values"]]
         return {note["firmware"] for note in notes if note and "firmware" in note}
 
-    def digits_agree(self, leaf: Json, name: str, operations: list[str]) -> bool:
+    def digits_agree(self, leaf: Json, digits: tuple[str, list[str]]) -> bool:
         """Returns True if a part of a decimal number matches the formula."""
-        parts = self.packed.get(leaf.get("packed", ""), {}).get("parts", [])
-        part = next((p for p in parts if p["name"] == name), None)
+        name, operations = digits
+        part = next((p for p in self.parts(leaf) if p["name"] == name), None)
         if part is None:
             return False
         for raw in (0, 2305, 2439, 2550, 2599, 3129):
@@ -741,7 +578,7 @@ class Comparison:
     def codes(self) -> Iterator[Check]:
         enums = {
             leaf["enum"]
-            for message in self.model["messages"]
+            for message in self.messages
             for leaf in message["layout"]
             if leaf["spec_name"] == "ERR_CODE"
         }
@@ -753,10 +590,10 @@ class Comparison:
             yield Check("constant", code["line"], name, f"{name} = {value}", ours)
 
     def answers(self) -> Iterator[Check]:
-        command_of = {m["name"]: m["command"] for m in self.model["messages"]}
+        command_of = {m["name"]: m["command"] for m in self.messages}
         for fact in self.facts["answers"]:
             answers = set()
-            for message in self.model["messages"]:
+            for message in self.messages:
                 response = message["response"]
                 if message["command"] == fact["command"] and response:
                     answers |= {command_of[name] for name in response["messages"]}
@@ -777,10 +614,9 @@ class Comparison:
             yield Check("variable", line, said, said, name if ours else None)
             if ours is None:
                 continue
-            yield Check("variable id", line, name, fact["id"], ours["id"])
-            yield Check("variable type", line, name, TYPES[fact["type"]], ours["type"])
-            yield Check("variable min", line, name, fact["min"], ours["min"])
-            yield Check("variable max", line, name, fact["max"], ours["max"])
+            for key in ("id", "type", "min", "max"):
+                number = TYPES.get(fact[key], fact[key])
+                yield Check(f"variable {key}", line, name, number, ours[key])
             for unit in fact.get("units", []):
                 yield self.unit(unit, line, name, [ours])
             for value in fact.get("values", []) + fact.get("special", []):
@@ -791,8 +627,8 @@ class Comparison:
 
     def additions(self) -> Iterator[Check]:
         """Checks messages, limits, units and names without a fact in the text."""
-        bodies = [(message["name"], body_paths(message)) for message in self.model["messages"]]
-        for message, (name, paths) in zip(self.model["messages"], bodies):
+        bodies = [(message["name"], body_paths(message)) for message in self.messages]
+        for message, (name, paths) in zip(self.messages, bodies):
             if (name, message["direction"]) not in self.met:
                 yield Check("extra message", 0, name, None, message["direction"])
             # Other messages that have the same body, or whose body starts this one.
