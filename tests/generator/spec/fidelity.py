@@ -40,6 +40,14 @@ class Element:
     index: str
     fact: Json
 
+    @property
+    def is_reserved(self) -> bool:
+        return self.type.startswith("bytes ") and self.name.upper() == "RESERVED"
+
+    def is_same(self, ours: Ours) -> bool:
+        """Returns True for an element of the model with this name and type."""
+        return same_name(self.name, ours.name) and self.type == ours.type
+
 
 def text_elements(body: Json) -> list[Element]:
     """Returns the elements of a body; an array yields each of its elements."""
@@ -225,115 +233,77 @@ class Comparison(Model):
         """Checks names, order, types, offsets and remarks of the fields of one body."""
         where = message["name"]
         waiting = our_elements(message)
-        offset: int | None = 0
-        varies = False
+        offset: int | None = 0  # None after a part of varying size
         for element in text_elements(body):
-            name = f"{where}.{element.name}"
-            named = self.take_named(waiting, element, message)
-            if named is not None:
-                for ours in named[0]:
-                    yield Check(
-                        "extra field", element.line, f"{where}.{ours.name}", None, ours.type
-                    )
-                    offset = None if offset is None else offset + ours.size
-                for kind in ("field", "type"):
-                    yield Check(kind, element.line, name, element.name, element.name)
-                if offset is not None:
-                    yield Check("offset", element.line, name, offset, named[1][0].offset)
-                    offset += element.size
-                continue
-            expected = self.expected_name(name, element)
-            extra = self.skip_extra(waiting, expected, element)
+            name, line = f"{where}.{element.name}", element.line
+            extra, found, is_named = self.take(waiting, element, name, message)
             for ours in extra:
-                yield Check("extra field", element.line, f"{where}.{ours.name}", None, ours.type)
+                yield Check("extra field", line, f"{where}.{ours.name}", None, ours.type)
                 offset = None if offset is None else offset + ours.size
-            if not waiting or not self.matches(expected, element, waiting[0]):
-                conditional = element.type == "variable" and self.took_conditional
-                if not conditional:
-                    yield Check("field", element.line, name, element.name, None)
-                else:
-                    yield Check("field", element.line, name, "variable", "variable")
-                    varies = True
+            if not found:
+                yield Check("field", line, name, element.name, None)
                 continue
-            ours = waiting.pop(0)
+            ours = found[0]
+            if element.index.startswith("<") or not element.size:
+                offset = None
+            if offset is not None:
+                yield Check("offset", line, name, offset, ours.offset)
+                offset += element.size
+            if not is_named:
+                for kind in ("field", "type"):
+                    yield Check(kind, line, name, element.name, element.name)
+                continue
             self.compared.add((where, message["direction"], ours.path))
             said = element.name.upper() if ours.name == "RESERVED" else element.name
-            yield Check("field", element.line, name, said, ours.name)
-            yield Check("type", element.line, name, element.type, self.type_said(element, ours))
+            yield Check("field", line, name, said, ours.name)
+            yield Check("type", line, name, element.type, self.type_said(element, ours))
             if element.index and element.index.isalpha():
                 word = element.index.lower()
                 has = element.index if word in ours.path.split(".") else ours.path
-                yield Check("index", element.line, name, element.index, has)
-            if element.type == "variable" or element.index.startswith("<") or not element.size:
-                varies = True
-                offset = None if not element.size or element.index.startswith("<") else offset
-            if not varies:
-                yield Check("offset", element.line, name, offset, ours.offset)
-                offset = None if offset is None else offset + element.size
-            yield from self.remarks(element.fact, element.line, name, [ours.leaf], where)
+                yield Check("index", line, name, element.index, has)
+            yield from self.remarks(element.fact, line, name, [ours.leaf], where)
         for ours in waiting:
             if not ours.leaf.get("when"):
                 name = f"{where}.{ours.name}"
                 yield Check("extra field", body["line"], name, None, ours.type)
-        if not varies:
-            yield Check("size", body["line"], where, offset, message["max_size"])
-            yield Check("size", body["line"], where, offset, message["min_size"])
+        if offset is not None:
+            for key in ("max_size", "min_size"):
+                yield Check("size", body["line"], where, offset, message[key])
 
-    def take_named(
-        self, waiting: list[Ours], element: Element, message: Json
-    ) -> tuple[list[Ours], list[Ours]] | None:
-        """Takes the elements that name reserved bytes of the text, and what is before them.
+    def take(
+        self, waiting: list[Ours], element: Element, name: str, message: Json
+    ) -> tuple[list[Ours], list[Ours], bool]:
+        """Takes the elements of the model before an element of the text, then what is that element, by name or not.
 
-        They must be as many bytes, and each must be reserved or known to the notes.
+        Reserved bytes may be several elements now, of the same size, which are reserved or known to the notes.
+        The elements of a variable part are those under a condition, if none has its name.
         """
-        is_run = element.type.startswith("bytes ") and element.name.upper() == "RESERVED"
-        first = waiting[0] if waiting else None
-        if (
-            not is_run
-            or first is None
-            or same_name(element.name, first.name)
-            and (first.type == element.type)
-        ):
-            return None
-        direction = message["direction"]
-        for start in range(min(2, len(waiting))):
-            size = 0
-            for end, ours in enumerate(waiting[start:], start + 1):
-                known = (message["name"], direction, ours.path) in self.later
-                if not ours.size or not (known or ours.name == "RESERVED"):
-                    break
-                size += ours.size
-                if size == element.size:
-                    extra, named = waiting[:start], waiting[start:end]
-                    del waiting[:end]
-                    return extra, named
-        return None
-
-    def expected_name(self, name: str, element: Element) -> str:
+        if element.is_reserved and waiting and not element.is_same(waiting[0]):
+            for start in range(min(2, len(waiting))):
+                size = 0
+                for end, ours in enumerate(waiting[start:], start + 1):
+                    known = (message["name"], message["direction"], ours.path) in self.later
+                    if not ours.size or not (known or ours.name == "RESERVED"):
+                        break
+                    size += ours.size
+                    if size == element.size:
+                        taken, waiting[:] = waiting[:end], waiting[end:]
+                        return taken[:start], taken[start:], False
         entry = self.table.find("field", element.line, name)
-        if entry and entry["ours"] is None:
-            return ""
-        return str(entry["ours"]) if entry else element.name
-
-    def matches(self, expected: str, element: Element, ours: Ours) -> bool:
-        return bool(expected) and same_name(expected, ours.name)
-
-    def skip_extra(self, waiting: list[Ours], expected: str, element: Element) -> list[Ours]:
-        """Removes the elements before the expected field, if that field exists."""
-        self.took_conditional = False
-        position = next(
-            (i for i, o in enumerate(waiting) if self.matches(expected, element, o)), None
-        )
-        if element.type == "variable":  # the table defines the elements allowed here
-            conditional = [o for o in waiting[:position] if o.leaf.get("when")]
-            self.took_conditional = bool(conditional)
-            waiting[:] = [o for o in waiting if o not in conditional]
-            position = None if position is None else position - len(conditional)
-        if position is None:
-            return []
-        extra = waiting[:position]
-        del waiting[:position]
-        return extra
+        wanted = entry["ours"] if entry else element.name
+        places = (i for i, o in enumerate(waiting) if wanted and same_name(wanted, o.name))
+        place = next(places, None)
+        before = waiting[:place]
+        found = [] if place is None else [waiting[place]]
+        rest = [] if place is None else waiting[place + 1 :]
+        if element.type == "variable":
+            optional = [ours for ours in before if ours.leaf.get("when")]
+            before = [ours for ours in before if not ours.leaf.get("when")]
+            found = found or optional
+        if place is None:
+            before, rest = [], before
+        waiting[:] = rest
+        return before, found, place is not None
 
     def type_said(self, element: Element, ours: Ours) -> str:
         if element.type == "variable" and ours.leaf["count"] is None:
