@@ -14,8 +14,9 @@ from typing import Any
 
 import yaml
 
+from sbgcgen.model.export import export
 from sbgcgen.model.names import parse_lines
-from support import PROJECT
+from support import PROJECT, project_layout
 
 Json = dict[str, Any]
 DATA = PROJECT / "tests" / "data"
@@ -31,14 +32,14 @@ def loaded(path: Path) -> Json:
 
 def model_of_documents() -> Json:
     """Returns the exported model without what has other sources than the two documents, such as release notes."""
-    model = loaded(PROJECT / "generated" / "simplebgc.json")
+    model: Json = json.loads(json.dumps(export(project_layout())))
     others = set()
     for kind in ("messages", "enums", "packed"):
         for thing in list(model[kind]):
             if thing["source"] != LATER and not parse_lines(thing["source"]):
                 model[kind].remove(thing)
                 others.add(thing.get("command"))
-    newer = loaded(PROJECT / "tests" / "data" / "later_exceptions.yaml")["newer"]
+    newer = loaded(DATA / "later_exceptions.yaml")["newer"]
     flags = set()
     for enum in model["enums"]:
         for value in list(enum["values"]):
@@ -54,11 +55,6 @@ def model_of_documents() -> Json:
     others -= {message["command"] for message in model["messages"]}
     model["commands"] = [command for command in model["commands"] if command["name"] not in others]
     return model
-
-
-def named(things: list[Json], name: str, key: str = "name") -> Json:
-    """Returns the first thing of this name."""
-    return next(thing for thing in things if thing[key] == name)
 
 
 SIZES = {"u8": 1, "i8": 1, "u16": 2, "i16": 2, "u32": 4, "i32": 4, "f32": 4, "float": 4}

@@ -14,7 +14,8 @@ import pytest
 
 import altered
 from documents import DATA, Check, Json, Table, entry_lines, loaded, model_of_documents
-from later import compare
+from later import FACTS, compare
+from support import project_layout
 
 DOCUMENTS = ("fidelity", "later")
 EXCEPTIONS = {name: loaded(DATA / f"{name}_exceptions.yaml") for name in DOCUMENTS}
@@ -98,9 +99,8 @@ def test_every_kind_of_fact_notices_an_altered_model(document: str, model: Json)
 
 
 def test_what_the_text_lacks_has_a_first_firmware() -> None:
-    facts = loaded(DATA / "specification_facts.json")
+    facts = FACTS["specification"]
     documented = {None, *(define["value"] for define in facts["defines"])}
-    commands = loaded(DATA.parents[1] / "generated/simplebgc.json")["commands"]
-    later = [c for c in commands if c["id"] not in documented]
-    undated = [c["name"] for c in later if not (c["since"] or {}).get("firmware")]
+    later = [c for c in project_layout().commands if c.id not in documented]
+    undated = [c.name for c in later if not c.since.firmware]
     assert later and undated == []
