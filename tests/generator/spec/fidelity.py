@@ -1,81 +1,16 @@
-"""Compares the facts of the specification's text with the exported model.
-
-Every comparison is a Check of the text's statement against the model's. The deviations are not here but
-in tests/data/fidelity_exceptions.yaml, each with its erratum.
-"""
+"""Compares the facts of the specification's text with the exported model."""
 
 from __future__ import annotations
 
-import json
 import re
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator
 from dataclasses import dataclass
 from fnmatch import fnmatchcase
-from pathlib import Path
 from typing import Any
 
-import yaml
-
-from sbgcgen.model.names import parse_lines
-from support import PROJECT
-
-Json = dict[str, Any]
-DATA = PROJECT / "tests" / "data"
-LATER = "Later firmware"  # the source of what the text of 2016 lacks
-
-
-def loaded(path: Path) -> Json:
-    """Returns the content of a JSON or YAML file."""
-    text = path.read_text(encoding="utf-8")
-    found: Json = json.loads(text) if path.suffix == ".json" else yaml.safe_load(text)
-    return found
-
-
-def model_of_documents() -> Json:
-    """Returns the exported model without what has other sources than the two documents, such as release notes."""
-    model = loaded(PROJECT / "generated" / "simplebgc.json")
-    others = set()
-    for kind in ("messages", "enums", "packed"):
-        for thing in list(model[kind]):
-            if thing["source"] != LATER and not parse_lines(thing["source"]):
-                model[kind].remove(thing)
-                others.add(thing.get("command"))
-    newer = loaded(PROJECT / "tests" / "data" / "later_exceptions.yaml")["newer"]
-    flags = set()
-    for enum in model["enums"]:
-        for value in list(enum["values"]):
-            if any(fnmatchcase(f"{enum['name']}.{value['name']}", pattern) for pattern in newer):
-                enum["values"].remove(value)
-                flags.add(value["name"])
-    for message in model["messages"]:
-        message["layout"] = [
-            leaf
-            for leaf in message["layout"]
-            if "fits" not in leaf and flags.isdisjoint((leaf.get("when") or {}).get("has", ()))
-        ]
-    others -= {message["command"] for message in model["messages"]}
-    model["commands"] = [command for command in model["commands"] if command["name"] not in others]
-    return model
-
-
-def named(things: list[Json], name: str, key: str = "name") -> Json:
-    """Returns the first thing of this name."""
-    return next(thing for thing in things if thing[key] == name)
-
-
-def leaf_of(model: Json, message: str, name: str) -> Json:
-    """Returns the leaf of a message with this protocol name."""
-    return named(named(model["messages"], message)["layout"], name, "spec_name")
-
-
-def value_of(model: Json, enum: str, name: str) -> Json:
-    """Returns a value of an enum."""
-    return named(named(model["enums"], enum)["values"], name)
-
+from documents import SIZES, Check, Json, Model, Ours, Table, our_elements, version
 
 TYPES = {"1u": "u8", "1s": "i8", "2u": "u16", "2s": "i16", "4u": "u32", "4s": "i32", "4f": "f32"}
-SIZES = {"u8": 1, "i8": 1, "u16": 2, "i16": 2, "u32": 4, "i32": 4, "f32": 4, "float": 4}
-SIZES |= {"u24": 3, "i24": 3, "u64": 8, "i64": 8, "f64": 8}
 UNITS = {
     "degree": "deg",
     "degrees": "deg",
@@ -95,61 +30,6 @@ UNITS = {
 
 
 @dataclass(frozen=True)
-class Check:
-    """A fact: the statement of the text, its line, and the statement of the model."""
-
-    kind: str
-    line: int
-    name: str
-    said: Any
-    ours: Any
-
-    @property
-    def holds(self) -> bool:
-        return bool(self.said == self.ours)
-
-    @property
-    def fact(self) -> tuple[str, int, str, str]:
-        """Identifies a statement of the text, however often it is compared."""
-        return (self.kind, self.line, self.name.rpartition(".")[2], str(self.said))
-
-    @property
-    def is_addition(self) -> bool:
-        """True if the model has a fact that the text lacks."""
-        return self.kind.startswith("extra")
-
-    def __str__(self) -> str:
-        return f"L{self.line} {self.kind} {self.name}: said {self.said}, we have {self.ours}"
-
-
-def entry_lines(entry: Json, line: int) -> tuple[int, int]:
-    """Returns the range of lines that an entry applies to; without lines, it applies to any."""
-    lines = entry.get("line", line)
-    return (lines[0], lines[1]) if isinstance(lines, list) else (lines, lines)
-
-
-@dataclass
-class Table:
-    """The exceptions; `used` records which were needed."""
-
-    entries: list[Json]
-    used: set[int]
-
-    def find(self, kind: str, line: int, name: str) -> Json | None:
-        """Returns the entry for a fact and marks it as used."""
-        for number, entry in enumerate(self.entries):
-            first, last = entry_lines(entry, line)
-            if (
-                entry["kind"] == kind
-                and first <= line <= last
-                and any(fnmatchcase(name, pattern) for pattern in str(entry["name"]).split())
-            ):
-                self.used.add(number)
-                return entry
-        return None
-
-
-@dataclass(frozen=True)
 class Element:
     """An element of a body in the text: a number, a run of bytes, or a variable part."""
 
@@ -160,17 +40,13 @@ class Element:
     index: str
     fact: Json
 
+    @property
+    def is_reserved(self) -> bool:
+        return self.type.startswith("bytes ") and self.name.upper() == "RESERVED"
 
-@dataclass(frozen=True)
-class Ours:
-    """An element of a layout in the model."""
-
-    name: str
-    type: str
-    path: str
-    offset: int | None
-    size: int
-    leaf: Json
+    def is_same(self, ours: Ours) -> bool:
+        """Returns True for an element of the model with this name and type."""
+        return same_name(self.name, ours.name) and self.type == ours.type
 
 
 def text_elements(body: Json) -> list[Element]:
@@ -193,21 +69,6 @@ def text_elements(body: Json) -> list[Element]:
     return found
 
 
-def our_elements(message: Json) -> list[Ours]:
-    """Returns the elements of a layout; in the text, strings and bytes are both runs of bytes."""
-    found = []
-    for leaf in message["layout"]:
-        count = leaf["count"]
-        type_, size = leaf["type"], SIZES.get(leaf["type"], 0)
-        if type_ in ("bytes", "text"):
-            type_ = f"bytes {count}" if count is not None else "variable"
-            size, count = count or 0, 1
-        for i in range(1 if count is None else count):
-            offset = None if leaf["offset"] is None else leaf["offset"] + i * size
-            found.append(Ours(leaf["spec_name"], type_, leaf["path"], offset, size, leaf))
-    return found
-
-
 def same_name(said: str, ours: str) -> bool:
     """Returns True if the names are equal, except for the case of 'reserved'."""
     return said == ours or said.upper() == ours == "RESERVED"
@@ -218,7 +79,7 @@ def body_paths(message: Json) -> list[str]:
     return [re.sub(r"reserved_\d", "reserved", leaf["path"]) for leaf in message["layout"]]
 
 
-class Comparison:
+class Comparison(Model):
     """All checks of the facts against the model.
 
     `later` are the leaves that the notes on the later protocol tell about: by message, direction and
@@ -228,13 +89,10 @@ class Comparison:
     def __init__(
         self, facts: Json, model: Json, table: Table, later: Collection[tuple[str, str, str]] = ()
     ) -> None:
+        super().__init__(model)
         self.facts = facts
-        self.model = model
         self.table = table
         self.later = later
-        self.enums = {e["name"]: e for e in model["enums"]}
-        self.packed = {p["name"]: p for p in model["packed"]}
-        self.commands = {c["name"]: c for c in model["commands"]}
         self.described: set[tuple[str, str]] = set()  # (message, path) with a range in the text
         self.measured: set[tuple[str, str]] = set()  # (message, path) with a unit in the text
         self.named: set[tuple[str, int]] = set()  # constants of the text
@@ -261,8 +119,7 @@ class Comparison:
             name, line = define["name"], define["line"]
             command = self.commands.get(name, {})
             yield Check("id", line, name, define["value"], command.get("id"))
-            board = (command.get("since") or {}).get("board")
-            yield Check("board", line, name, define.get("board"), board)
+            yield Check("board", line, name, define.get("board"), version(command, "board"))
 
     def framing(self) -> Iterator[Check]:
         framing = self.model["framings"][0]  # v1, the only one of the text
@@ -303,11 +160,7 @@ class Comparison:
 
     def message_of(self, body: Json, command: str) -> tuple[Check, Json | None]:
         """Returns the message for a body of the text, by direction and form."""
-        forms = {
-            m.get("form_name"): m
-            for m in self.model["messages"]
-            if (m["command"], m["direction"]) == (command, body["direction"])
-        }
+        forms = {m.get("form_name"): m for m in self.messages_of(command, body["direction"])}
         said = body["form"]
         entry = self.table.find("form", body["line"], command)
         if entry:
@@ -332,7 +185,7 @@ class Comparison:
         yield Check("body", body["line"], command, body["direction"], message["direction"])
         self.met.add((message["name"], message["direction"]))
         if "since" in body:
-            since = (message["since"] or {}).get("firmware")
+            since = version(message)
             yield Check("since", body["line"], message["name"], body["since"], since)
         if "same_as" in body:
             yield from self.same_body(body, command, message)
@@ -355,18 +208,16 @@ class Comparison:
             other = command.replace("WRITE", "READ")
         opposite = "from_board" if body["direction"] == "to_board" else "to_board"
         direction = body["direction"] if body["fields"] else opposite
-        models = [
-            m
-            for m in self.model["messages"]
-            if m["command"] == other and m["direction"] == direction
-        ]
+        models = self.messages_of(other, direction)
         own = {leaf["spec_name"]: leaf for leaf in message["layout"]}
         direction_of = message["direction"]
         if not models:
             yield Check("same body", body["line"], command, other, None)
         elif not body["fields"]:
-            shape = [(f["path"], f["type"], f["count"]) for f in message["layout"]]
-            theirs = [(f["path"], f["type"], f["count"]) for f in models[0]["layout"]]
+            shape, theirs = (
+                [(f["path"], f["type"], f["count"], f["offset"]) for f in one["layout"]]
+                for one in (message, models[0])
+            )
             ours = other if shape == theirs else "another body"
             self.compared |= {(message["name"], direction_of, f["path"]) for f in message["layout"]}
             yield Check("same body", body["line"], command, other, ours)
@@ -382,115 +233,77 @@ class Comparison:
         """Checks names, order, types, offsets and remarks of the fields of one body."""
         where = message["name"]
         waiting = our_elements(message)
-        offset: int | None = 0
-        varies = False
+        offset: int | None = 0  # None after a part of varying size
         for element in text_elements(body):
-            name = f"{where}.{element.name}"
-            named = self.take_named(waiting, element, message)
-            if named is not None:
-                for ours in named[0]:
-                    yield Check(
-                        "extra field", element.line, f"{where}.{ours.name}", None, ours.type
-                    )
-                    offset = None if offset is None else offset + ours.size
-                for kind in ("field", "type"):
-                    yield Check(kind, element.line, name, element.name, element.name)
-                if offset is not None:
-                    yield Check("offset", element.line, name, offset, named[1][0].offset)
-                    offset += element.size
-                continue
-            expected = self.expected_name(name, element)
-            extra = self.skip_extra(waiting, expected, element)
+            name, line = f"{where}.{element.name}", element.line
+            extra, found, is_named = self.take(waiting, element, name, message)
             for ours in extra:
-                yield Check("extra field", element.line, f"{where}.{ours.name}", None, ours.type)
+                yield Check("extra field", line, f"{where}.{ours.name}", None, ours.type)
                 offset = None if offset is None else offset + ours.size
-            if not waiting or not self.matches(expected, element, waiting[0]):
-                conditional = element.type == "variable" and self.took_conditional
-                if not conditional:
-                    yield Check("field", element.line, name, element.name, None)
-                else:
-                    yield Check("field", element.line, name, "variable", "variable")
-                    varies = True
+            if not found:
+                yield Check("field", line, name, element.name, None)
                 continue
-            ours = waiting.pop(0)
+            ours = found[0]
+            if element.index.startswith("<") or not element.size:
+                offset = None
+            if offset is not None:
+                yield Check("offset", line, name, offset, ours.offset)
+                offset += element.size
+            if not is_named:
+                for kind in ("field", "type"):
+                    yield Check(kind, line, name, element.name, element.name)
+                continue
             self.compared.add((where, message["direction"], ours.path))
             said = element.name.upper() if ours.name == "RESERVED" else element.name
-            yield Check("field", element.line, name, said, ours.name)
-            yield Check("type", element.line, name, element.type, self.type_said(element, ours))
+            yield Check("field", line, name, said, ours.name)
+            yield Check("type", line, name, element.type, self.type_said(element, ours))
             if element.index and element.index.isalpha():
                 word = element.index.lower()
                 has = element.index if word in ours.path.split(".") else ours.path
-                yield Check("index", element.line, name, element.index, has)
-            if element.type == "variable" or element.index.startswith("<") or not element.size:
-                varies = True
-                offset = None if not element.size or element.index.startswith("<") else offset
-            if not varies:
-                yield Check("offset", element.line, name, offset, ours.offset)
-                offset = None if offset is None else offset + element.size
-            yield from self.remarks(element.fact, element.line, name, [ours.leaf], where)
+                yield Check("index", line, name, element.index, has)
+            yield from self.remarks(element.fact, line, name, [ours.leaf], where)
         for ours in waiting:
             if not ours.leaf.get("when"):
                 name = f"{where}.{ours.name}"
                 yield Check("extra field", body["line"], name, None, ours.type)
-        if not varies:
-            yield Check("size", body["line"], where, offset, message["max_size"])
-            yield Check("size", body["line"], where, offset, message["min_size"])
+        if offset is not None:
+            for key in ("max_size", "min_size"):
+                yield Check("size", body["line"], where, offset, message[key])
 
-    def take_named(
-        self, waiting: list[Ours], element: Element, message: Json
-    ) -> tuple[list[Ours], list[Ours]] | None:
-        """Takes the elements that name reserved bytes of the text, and what is before them.
+    def take(
+        self, waiting: list[Ours], element: Element, name: str, message: Json
+    ) -> tuple[list[Ours], list[Ours], bool]:
+        """Takes the elements of the model before an element of the text, then what is that element, by name or not.
 
-        They must be as many bytes, and each must be reserved or known to the notes.
+        Reserved bytes may be several elements now, of the same size, which are reserved or known to the notes.
+        The elements of a variable part are those under a condition, if none has its name.
         """
-        is_run = element.type.startswith("bytes ") and element.name.upper() == "RESERVED"
-        first = waiting[0] if waiting else None
-        if (
-            not is_run
-            or first is None
-            or same_name(element.name, first.name)
-            and (first.type == element.type)
-        ):
-            return None
-        direction = message["direction"]
-        for start in range(min(2, len(waiting))):
-            size = 0
-            for end, ours in enumerate(waiting[start:], start + 1):
-                known = (message["name"], direction, ours.path) in self.later
-                if not ours.size or not (known or ours.name == "RESERVED"):
-                    break
-                size += ours.size
-                if size == element.size:
-                    extra, named = waiting[:start], waiting[start:end]
-                    del waiting[:end]
-                    return extra, named
-        return None
-
-    def expected_name(self, name: str, element: Element) -> str:
+        if element.is_reserved and waiting and not element.is_same(waiting[0]):
+            for start in range(min(2, len(waiting))):
+                size = 0
+                for end, ours in enumerate(waiting[start:], start + 1):
+                    known = (message["name"], message["direction"], ours.path) in self.later
+                    if not ours.size or not (known or ours.name == "RESERVED"):
+                        break
+                    size += ours.size
+                    if size == element.size:
+                        taken, waiting[:] = waiting[:end], waiting[end:]
+                        return taken[:start], taken[start:], False
         entry = self.table.find("field", element.line, name)
-        if entry and entry["ours"] is None:
-            return ""
-        return str(entry["ours"]) if entry else element.name
-
-    def matches(self, expected: str, element: Element, ours: Ours) -> bool:
-        return bool(expected) and same_name(expected, ours.name)
-
-    def skip_extra(self, waiting: list[Ours], expected: str, element: Element) -> list[Ours]:
-        """Removes the elements before the expected field, if that field exists."""
-        self.took_conditional = False
-        position = next(
-            (i for i, o in enumerate(waiting) if self.matches(expected, element, o)), None
-        )
-        if element.type == "variable":  # the table defines the elements allowed here
-            conditional = [o for o in waiting[:position] if o.leaf.get("when")]
-            self.took_conditional = bool(conditional)
-            waiting[:] = [o for o in waiting if o not in conditional]
-            position = None if position is None else position - len(conditional)
-        if position is None:
-            return []
-        extra = waiting[:position]
-        del waiting[:position]
-        return extra
+        wanted = entry["ours"] if entry else element.name
+        places = (i for i, o in enumerate(waiting) if wanted and same_name(wanted, o.name))
+        place = next(places, None)
+        before = waiting[:place]
+        found = [] if place is None else [waiting[place]]
+        rest = [] if place is None else waiting[place + 1 :]
+        if element.type == "variable":
+            optional = [ours for ours in before if ours.leaf.get("when")]
+            before = [ours for ours in before if not ours.leaf.get("when")]
+            found = found or optional
+        if place is None:
+            before, rest = [], before
+        waiting[:] = rest
+        return before, found, place is not None
 
     def type_said(self, element: Element, ours: Ours) -> str:
         if element.type == "variable" and ours.leaf["count"] is None:
@@ -526,7 +339,7 @@ class Comparison:
                 )
                 yield Check("count", line, where, int(array[1]), counts)
             if "version" in row:
-                versions = self.one((m["since"] or {}).get("firmware") for m, _ in leaves)
+                versions = self.one(version(m) for m, _ in leaves)
                 yield Check("since", line, where, row["version"], versions)
             remark = dict(row)
             if len(several) == len(row["names"]) > 1:
@@ -539,7 +352,7 @@ class Comparison:
         wanted = [name] if entry is None else str(entry["ours"] or "").split()
         found = [
             (message, leaf)
-            for message in self.model["messages"]
+            for message in self.messages
             if message["command"] in row["commands"]
             and self.is_old(message)
             and row.get("direction", message["direction"]) == message["direction"]
@@ -582,9 +395,6 @@ class Comparison:
     ) -> Iterator[Check]:
         """Checks constants, values, bits, units etc., which every leaf must have."""
 
-        def all_have(test: Any, said: Any) -> Any:
-            return said if all(test(leaf) for leaf in leaves) else None
-
         for constant in fact.get("constants", []):
             at = constant.get("line", line)
             label = f"{name}.{constant['name']}"
@@ -596,17 +406,19 @@ class Comparison:
             self.named.add((wanted, constant["value"]))
             yield Check("constant", at, f"{label}={constant['value']}", said, ours)
             if "board" in constant:
-                board = self.one(v and (v["since"] or {}).get("board") for v in known)
+                board = self.one(version(v, "board") for v in known)
                 yield Check("board", at, label, constant["board"], board)
-        for value in fact.get("values", []):
-            ours = all_have(lambda leaf: self.has_value(leaf, value), value)
-            yield Check("value", line, f"{name}={value}", value, ours)
-        for value in fact.get("special", []):
-            ours = all_have(lambda leaf: self.is_special(leaf, value), value)
-            yield Check("special", line, f"{name}={value}", value, ours)
-        for first, last in fact.get("bits", []):
-            ours = all_have(lambda leaf: self.has_bits(leaf, first, last), (first, last))
-            yield Check("bits", line, f"{name}[{first}..{last}]", (first, last), ours)
+        tests: tuple[tuple[str, str, str, Callable[[Json, Any], bool]], ...] = (
+            ("values", "value", "={}", self.has_value),
+            ("special", "special", "={}", self.is_special),
+            ("bits", "bits", "[{0[0]}..{0[1]}]", self.has_bits),
+            ("since", "since", "", lambda leaf, said: said in self.versions(leaf)),
+            ("digits", "digits", ".{0[0]}", self.digits_agree),
+        )
+        for key, kind, suffix, test in tests:
+            for said in fact.get(key, []):
+                ours = said if all(test(leaf, said) for leaf in leaves) else None
+                yield Check(kind, line, name + suffix.format(said), said, ours)
         for low, high in fact.get("ranges", []):
             limits = self.one((f["min"], f["max"]) for f in leaves)
             if low == 0 and leaves[0].get("max_count") is not None:
@@ -618,16 +430,10 @@ class Comparison:
             self.measured |= {(m["name"], leaf["path"]) for m, leaf in pairs}
         for align in fact.get("align", []):
             yield Check("align", line, name, align, self.one(f.get("align", 1) for f in leaves))
-        for version in fact.get("since", []):
-            ours = all_have(lambda leaf: version in self.versions(leaf), version)
-            yield Check("since", line, name, version, ours)
-        for part, operations in fact.get("digits", []):
-            ours = all_have(lambda leaf: self.digits_agree(leaf, part, operations), operations)
-            yield Check("digits", line, f"{name}.{part}", operations, ours)
         for field, command in fact.get("references", []):
             others = [
                 leaf
-                for message in self.model["messages"]
+                for message in self.messages
                 if message["command"] == command
                 for leaf in message["layout"]
                 if leaf["spec_name"] == field
@@ -677,26 +483,27 @@ class Comparison:
                 return True
         if leaf["min"] is not None and not leaf["enum"]:
             return bool(leaf["min"] <= value <= leaf["max"])
-        parts = self.packed.get(leaf.get("packed", ""), {}).get("parts", [])
+        parts = self.parts(leaf)
         return any(not p["enum"] and 0 <= value <= p["mask"] >> p["shift"] for p in parts)
 
     def is_special(self, leaf: Json, value: int) -> bool:
         named = any(v["value"] == value for enum, _ in self.enums_of(leaf) for v in enum["values"])
         return named or str(value) in leaf.get("special", {})
 
-    def has_bits(self, leaf: Json, first: int, last: int) -> bool:
+    def has_bits(self, leaf: Json, bits: list[int]) -> bool:
+        first, last = bits
         mask = ((1 << (last - first + 1)) - 1) << first
-        parts = self.packed.get(leaf.get("packed", ""), {}).get("parts", [])
+        parts = self.parts(leaf)
         masks = [p["mask"] for p in parts if p["mask"] is not None]
         union = 0
         for one in masks:
             union |= one if not one & ~mask else 0
         if union == mask:
             return True
-        bits = [1 << i for i in range(first, last + 1)]
+        flags = [1 << i for i in range(first, last + 1)]
         named = {v["value"] for enum, _ in self.enums_of(leaf) for v in enum["values"]}
-        reserved = len(bits) > 1 and not any(value & mask for value in named)
-        return reserved or all(bit in named for bit in bits)
+        reserved = len(flags) > 1 and not any(value & mask for value in named)
+        return reserved or all(flag in named for flag in flags)
 
     def unit(self, unit: Json, line: int, name: str, leaves: list[Json]) -> Check:
         """Checks scale and unit, of the field itself or of the alternative that a flag chooses."""
@@ -708,7 +515,7 @@ class Comparison:
             mine = (leaf["scale"] or 1, leaf["unit"], leaf.get("add", 0))
             other = leaf.get("alternative")
             options = [mine] + ([(other["scale"], other["unit"], 0)] if other else [])
-            for part in self.packed.get(leaf.get("packed", ""), {}).get("parts", []):
+            for part in self.parts(leaf):
                 if part["divide"]:
                     options.append((1 / part["divide"], None, 0))
             near = [o for o in options if abs(o[0] / scale - 1) < 2e-6 and o[1:] == said[1:]]
@@ -720,10 +527,10 @@ class Comparison:
         notes += [v["since"] for enum, _ in self.enums_of(leaf) for v in enum["values"]]
         return {note["firmware"] for note in notes if note and "firmware" in note}
 
-    def digits_agree(self, leaf: Json, name: str, operations: list[str]) -> bool:
+    def digits_agree(self, leaf: Json, digits: tuple[str, list[str]]) -> bool:
         """Returns True if a part of a decimal number matches the formula."""
-        parts = self.packed.get(leaf.get("packed", ""), {}).get("parts", [])
-        part = next((p for p in parts if p["name"] == name), None)
+        name, operations = digits
+        part = next((p for p in self.parts(leaf) if p["name"] == name), None)
         if part is None:
             return False
         for raw in (0, 2305, 2439, 2550, 2599, 3129):
@@ -741,7 +548,7 @@ class Comparison:
     def codes(self) -> Iterator[Check]:
         enums = {
             leaf["enum"]
-            for message in self.model["messages"]
+            for message in self.messages
             for leaf in message["layout"]
             if leaf["spec_name"] == "ERR_CODE"
         }
@@ -753,10 +560,10 @@ class Comparison:
             yield Check("constant", code["line"], name, f"{name} = {value}", ours)
 
     def answers(self) -> Iterator[Check]:
-        command_of = {m["name"]: m["command"] for m in self.model["messages"]}
+        command_of = {m["name"]: m["command"] for m in self.messages}
         for fact in self.facts["answers"]:
             answers = set()
-            for message in self.model["messages"]:
+            for message in self.messages:
                 response = message["response"]
                 if message["command"] == fact["command"] and response:
                     answers |= {command_of[name] for name in response["messages"]}
@@ -777,10 +584,9 @@ class Comparison:
             yield Check("variable", line, said, said, name if ours else None)
             if ours is None:
                 continue
-            yield Check("variable id", line, name, fact["id"], ours["id"])
-            yield Check("variable type", line, name, TYPES[fact["type"]], ours["type"])
-            yield Check("variable min", line, name, fact["min"], ours["min"])
-            yield Check("variable max", line, name, fact["max"], ours["max"])
+            for key in ("id", "type", "min", "max"):
+                number = TYPES.get(fact[key], fact[key])
+                yield Check(f"variable {key}", line, name, number, ours[key])
             for unit in fact.get("units", []):
                 yield self.unit(unit, line, name, [ours])
             for value in fact.get("values", []) + fact.get("special", []):
@@ -791,8 +597,8 @@ class Comparison:
 
     def additions(self) -> Iterator[Check]:
         """Checks messages, limits, units and names without a fact in the text."""
-        bodies = [(message["name"], body_paths(message)) for message in self.model["messages"]]
-        for message, (name, paths) in zip(self.model["messages"], bodies):
+        bodies = [(message["name"], body_paths(message)) for message in self.messages]
+        for message, (name, paths) in zip(self.messages, bodies):
             if (name, message["direction"]) not in self.met:
                 yield Check("extra message", 0, name, None, message["direction"])
             # Other messages that have the same body, or whose body starts this one.

@@ -1,18 +1,15 @@
-"""Compares the facts of the notes on the later protocol with the exported model.
-
-Every comparison is a Check of the notes' statement against the model's, as for the text of 2016 (see
-fidelity.py). The deviations are in tests/data/later_exceptions.yaml, each with its reason.
-"""
+"""Compares the facts of the notes on the later protocol with the exported model."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from typing import Any
 
-from fidelity import SIZES, Check, Comparison, Json, Ours, Table, our_elements
+from documents import DATA, SIZES, Check, Json, Model, Ours, Table, loaded, our_elements, version
+from fidelity import Comparison
 
 Limits = tuple[int, int]
 
@@ -70,28 +67,22 @@ def said_size(element: Said) -> int | None:
     return int(element.type[1:]) // 8
 
 
-@dataclass
-class Later:
+class Later(Model):
     """All checks of the facts against the model; `told` are the leaves that facts are about.
 
-    `values` are the enum values and `kinds` the additions to rev. 0.15 that the facts know.
+    `values` are the enum values and `known` the additions to rev. 0.15 that the facts know.
     """
 
-    facts: Json
-    model: Json
-    table: Table
-    told: set[tuple[str, str, str]] = field(default_factory=set)
-    values: set[tuple[str, int]] = field(default_factory=set)
-    known: set[tuple[str, str]] = field(default_factory=set)
-
-    def __post_init__(self) -> None:
-        self.enums = {e["name"]: e for e in self.model["enums"]}
-        self.packed = {p["name"]: p for p in self.model["packed"]}
-        self.commands = {c["name"]: c for c in self.model["commands"]}
+    def __init__(self, facts: Json, model: Json) -> None:
+        super().__init__(model)
+        self.facts = facts
+        self.told: set[tuple[str, str, str]] = set()
+        self.values: set[tuple[str, int]] = set()
+        self.known: set[tuple[str, str]] = set()
         self.structs = {s["name"]: s for s in self.facts["structs"]}
         self.leaves = [
             (message["command"], leaf)
-            for message in self.model["messages"]
+            for message in self.messages
             for top in message["layout"]
             for leaf in [top, *top.get("cases", [])]
         ]
@@ -114,11 +105,10 @@ class Later:
         for fact in self.facts["commands"]:
             name, line = fact["name"], fact["line"]
             command = self.commands.get(name, {})
-            since = command.get("since") or {}
             yield Check("id", line, name, fact["id"], command.get("id"))
-            yield Check("since", line, name, fact.get("since"), since.get("firmware"))
-            yield Check("board", line, name, fact.get("board"), since.get("board"))
-            messages = [m for m in self.model["messages"] if m["command"] == name]
+            for key, kind in (("since", "firmware"), ("board", "board")):
+                yield Check(key, line, name, fact.get(key), version(command, kind))
+            messages = [m for m in self.messages if m["command"] == name]
             known = any(len(m["layout"]) != 1 or m["min_size"] for m in messages)
             yield Check("body", line, name, fact["body"], known)
             self.known.add(("extra command", name))
@@ -137,11 +127,7 @@ class Later:
 
     def find(self, fact: Json) -> list[Json]:
         """Returns the messages of a command, direction and form; without a form, the main one."""
-        found = [
-            m
-            for m in self.model["messages"]
-            if (m["command"], m["direction"]) == (fact["command"], fact["direction"])
-        ]
+        found = self.messages_of(fact["command"], fact["direction"])
         form = fact.get("form")
         if form is not None or len(found) == 1:
             return [m for m in found if form in (None, m.get("form_name"))]
@@ -161,19 +147,14 @@ class Later:
         self.known.add(("extra message", name))
         since = fact.get("since") or self.since.get(fact["command"])
         if since:
-            ours = (message["since"] or {}).get("firmware")
-            yield Check("since", line, name, since, ours)
+            yield Check("since", line, name, since, version(message))
         if "size" in fact:
             limits = fact["size"] if isinstance(fact["size"], list) else [fact["size"]] * 2
             yield Check("size", line, name, limits, [message["min_size"], message["max_size"]])
         said = elements(fact["fields"], self.structs)
         ours = our_elements(message)
         if "same_as" in fact:
-            other = next(
-                m
-                for m in self.model["messages"]
-                if (m["command"], m["direction"]) == (fact["same_as"], "from_board")
-            )
+            other = self.messages_of(fact["same_as"], "from_board")[0]
             yield Check("same body", line, name, True, _shape(other) == _shape(message))
             for element in ours:  # what is said about the other is said about this one
                 label = f"{name}.{element.name}"
@@ -225,8 +206,7 @@ class Later:
             yield Check("range", line, name, fact["range"], [leaf["min"], leaf["max"]])
             self.known.add(("extra range", name))
         if "since" in fact:
-            ours = (leaf.get("since") or {}).get("firmware")
-            yield Check("since", line, name, fact["since"], ours)
+            yield Check("since", line, name, fact["since"], version(leaf))
             self.known.add(("extra since", name))
 
     def mask_of(self, leaf: Json, message: Json) -> int | None:
@@ -248,7 +228,7 @@ class Later:
             said = elements([fact], self.structs)
             bodies = [
                 m
-                for m in self.model["messages"]
+                for m in self.messages
                 if m["command"] in (fact["command"], fact["command"].replace("READ", "WRITE"))
                 and (m["command"] != fact["command"] or m["direction"] == fact["direction"])
                 and (m["form"] in (None, "extended"))
@@ -335,8 +315,7 @@ class Later:
                 "value", line, label, f"{number} {said}", f"{number} {said if same else ours}"
             )
             if "since" in fact and value:
-                since = (value["since"] or {}).get("firmware")
-                yield Check("since", line, label, fact["since"], since)
+                yield Check("since", line, label, fact["since"], version(value))
             self.values.add((type_, number))
             if value:
                 self.known.add(("extra constant", f"{type_}.{value['name']}"))
@@ -344,10 +323,7 @@ class Later:
     def all_parts(self) -> Iterator[Check]:
         for fact in self.facts["parts"]:
             for leaf in self.leaves_at(fact["place"]):
-                parts = {
-                    p["name"]: p
-                    for p in self.packed.get(leaf.get("packed"), {"parts": []})["parts"]
-                }
+                parts = {part["name"]: part for part in self.parts(leaf)}
                 for name, (first, last) in fact["parts"].items():
                     mask = ((1 << (last - first + 1)) - 1) << first
                     ours = parts.get(name, {"mask": None})
@@ -379,8 +355,7 @@ class Later:
                 "variable range", line, name, fact["range"], [ours.get("min"), ours.get("max")]
             )
             if "since" in fact:
-                since = (ids.get(name, {}).get("since") or {}).get("firmware")
-                yield Check("variable since", line, name, fact["since"], since)
+                yield Check("variable since", line, name, fact["since"], version(ids.get(name)))
             self.known.add(("extra variable", name))
             self.known.add(("extra constant", f"VariableId.{name}"))
 
@@ -395,7 +370,7 @@ class Later:
         owner, _, name = check.name.partition(".")
         paths = [
             (m["name"], m["direction"], leaf["path"])
-            for m in self.model["messages"]
+            for m in self.messages
             for leaf in m["layout"]
             if (m["name"], leaf["spec_name"]) == (owner, name)
         ]
@@ -404,7 +379,7 @@ class Later:
     # What the model has beyond both documents
 
     def additions(self, older: Comparison) -> Iterator[Check]:
-        for message in self.model["messages"]:
+        for message in self.messages:
             yield from self.additions_to(message, older)
         named = {name for name, _ in older.named}
         for enum in self.model["enums"]:
@@ -441,3 +416,24 @@ class Later:
                 yield Check("extra range", 0, name, None, f"{leaf['min']}..{leaf['max']}")
             if leaf["scale"] is not None and ("extra unit", name) not in self.known:
                 yield Check("extra unit", 0, name, None, leaf["quantity"])
+
+
+FACTS = {name: loaded(DATA / f"{name}_facts.json") for name in ("specification", "later")}
+
+
+def compare(model: Json, exceptions: Table) -> tuple[list[Check], list[Check]]:
+    """Compares the model with the text of 2016 and with the notes; what either knows is no addition.
+
+    `exceptions` are those of the text.
+    """
+    later = Later(FACTS["later"], model)
+    newer = later.run()
+    older = Comparison(FACTS["specification"], model, exceptions, later.told)
+    old = [
+        check
+        for check in older.run()
+        if not check.is_addition
+        or exceptions.find(check.kind, check.line, check.name)
+        or not later.knows(check, older)
+    ]
+    return old, newer + list(later.additions(older))
