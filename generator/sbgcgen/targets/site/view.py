@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import quote
 
+from jinja2.utils import htmlsafe_json_dumps
 from markupsafe import Markup, escape
 
 from sbgcgen import library
@@ -64,7 +65,11 @@ def view_of(site: Target, layout: Layout, project: Path) -> View:
     version = library.version(project) if (project / library.VERSION_HEADER).is_file() else ""
     headers = headers_of(project, layout)
     references = references_of(project)
-    handwritten = Pages(headers, {reference.source: reference.page for reference in references})
+    handwritten = Pages(
+        headers,
+        {reference.source: reference.page for reference in references},
+        {message.name.lower(): page_of(message) for message in layout.definitions},
+    )
     guides = guides_in(docs, handwritten)
     history = History(layout)
     each: dict[str, Items] = {
@@ -127,6 +132,7 @@ def _filters(layout: Layout, headers: list[Header]) -> dict[str, Callable[..., A
         return sorted(numbers)
 
     return {
+        "compact_json": lambda data: htmlsafe_json_dumps(data, separators=(",", ":")),
         "page": page_of,
         "prose": prose,
         "rows": rows_of,
