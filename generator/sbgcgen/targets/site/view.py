@@ -28,6 +28,7 @@ from sbgcgen.targets import (
 )
 from sbgcgen.targets.render import expand, sources_of
 from sbgcgen.targets.site import rows, uses
+from sbgcgen.targets.site.builder import builder_facts
 from sbgcgen.targets.site.documentation import Documentation
 from sbgcgen.targets.site.guides import Pages, front_of, guides_in, name_of
 from sbgcgen.targets.site.headers import Header, headers_of, linked
@@ -141,6 +142,7 @@ def _filters(layout: Layout, headers: list[Header]) -> dict[str, Callable[..., A
         "sizes": lambda message: rows.sizes_of(message, layout),
         "byte_map": rows.byte_map,
         "bits": bits_of,
+        "builder_facts": builder_facts,
         "bit_range": bit_range,
         "later_leaves": lambda message: later_leaves(message, rows_of(message)),
         "needs": lambda type_: types.get(type_.name, Availability()),
