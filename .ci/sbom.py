@@ -12,13 +12,14 @@ from datetime import datetime, timezone
 from pathlib import Path
 from typing import Any
 
-# The libraries that are compiled into a file, as packages of Debian, and their licenses.
+# The libraries that are part of a file, as packages of Debian, or of npm in tools/web, and their licenses.
 LICENSES = {
     "libasio-dev": "BSL-1.0",
     "libc++-dev-wasm32": "Apache-2.0 WITH LLVM-exception",
     "libcli11-dev": "BSD-3-Clause",
     "libfmt-dev": "MIT",
     "libkissfft-dev": "BSD-3-Clause",
+    "minisearch": "MIT",
     "nlohmann-json3-dev": "MIT",
     "pybind11-dev": "BSD-3-Clause",
     "wasi-libc": "MIT",
@@ -29,7 +30,13 @@ PARTS = {
     r"libsbgc-dev_.*\.deb": LIBRARY,
     r"python3-sbgc_.*\.deb": (*LIBRARY, "pybind11-dev"),
     r"sbgc-.*\.whl": (*LIBRARY, "pybind11-dev"),
-    r"sbgc-site-.*\.zip": ("libc++-dev-wasm32", "libfmt-dev", "nlohmann-json3-dev", "wasi-libc"),
+    r"sbgc-site-.*\.zip": (
+        "libc++-dev-wasm32",
+        "libfmt-dev",
+        "minisearch",
+        "nlohmann-json3-dev",
+        "wasi-libc",
+    ),
     r"sbgc-arduino-.*\.zip": (),
     r"sbgc-fuzz-seeds-.*\.zip": (),
     r"sbgc-.*\.tar\.gz": (),
@@ -46,7 +53,12 @@ def parts_of(name: str) -> tuple[str, ...]:
 
 
 def version_of(package: str) -> str:
-    """The version of an installed package; "" for none."""
+    """The version of an installed package, or of one of npm; "" for none."""
+    of_npm = json.loads(
+        (Path(__file__).parent.parent / "tools/web/package.json").read_text("utf-8")
+    )
+    if package in of_npm["dependencies"]:
+        return str(of_npm["dependencies"][package])
     command = ["dpkg-query", "-W", "-f", "${Version}", package]
     return subprocess.run(command, capture_output=True, text=True, check=False).stdout
 

@@ -168,9 +168,10 @@ void Broker::Impl::add_station(Gimbal& gimbal, std::optional<std::int64_t> moved
     json["allow"] = allow;
     outbox_.set_state(topic, payload_text(json));
   });
-  gimbal.on_telemetry([this, prefix = topics_.of(name, "telemetry/")](const AnyMessage& message,
-                                                                      Gimbal::Time time) {
-    outbox_.put_sample(prefix + message.type().info->name, sample_text(message, time));
+  gimbal.on_telemetry([this, prefix = topics_.of(name, "telemetry/"),
+                       has_units = gimbal.settings().has_units](const AnyMessage& message,
+                                                                Gimbal::Time time) {
+    outbox_.put_sample(prefix + message.type().info->name, sample_text(message, time, has_units));
   });
   gimbal.on_event(tell);
   stations_[name] = {&gimbal, std::move(tasks)};

@@ -326,6 +326,9 @@ FleetGimbal read_fleet_gimbal(SectionReader& section, const ConfigurationSection
   gimbal.allow = read_allowed(section);
   gimbal.raw_effects = read_effects(section, gimbal.raw_effects);
   gimbal.telemetry = read_all_telemetry(section);
+  const std::string units = section.text("units").value_or("no");
+  if (units != "yes" && units != "no") section.reject("units", "'units' must be \"yes\" or \"no\"");
+  gimbal.has_units = units == "yes";
   if (gimbal.line.password_file == "-") {
     section.reject("password-file", "a gateway has nobody to ask: name a file");
   }

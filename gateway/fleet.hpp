@@ -8,6 +8,7 @@
 ///     allow = ["move", "stop", "raw"]    # tasks that the broker may command; none by default
 ///     raw-effects = ["reads", "moves"]   # what messages of `raw` may do; "reads" by default
 ///     telemetry = ["RealtimeData4 10", "RealtimeDataCustom 5 IMU_ANGLES|RC_DATA"]
+///     units = "yes"                      # telemetry has the values in their units, too
 ///
 ///     [metrics]
 ///     listen = "127.0.0.1:9110"
@@ -51,6 +52,7 @@ struct FleetGimbal {
   std::vector<std::string> allow{};  ///< of gateway_tasks
   Effects raw_effects = Effect::reads;
   std::vector<Telemetry> telemetry{};
+  bool has_units{};  ///< in its telemetry
 
   bool allows(std::string_view task) const;
 };

@@ -8,8 +8,24 @@
 
 #include "command/wording.hpp"
 #include "gateway/unix_time.hpp"
+#include "values/leaf_value.hpp"
 
 namespace sbgc::tools {
+
+namespace {
+
+std::string units_text(const AnyMessage& message) {
+  Json units = Json::object();
+  message.for_each_leaf([&](const Leaf& leaf) {
+    if (leaf.field.reserved) return;
+    Json meaning = leaf_json(leaf);
+    meaning.erase("raw");
+    if (!meaning.empty()) units[to_string(leaf.path)] = std::move(meaning);
+  });
+  return ",\"units\":" + detail::json_text(units);
+}
+
+}  // namespace
 
 Json stamped(std::chrono::system_clock::time_point time) {
   return {{"version", payload_version}, {"time", unix_milliseconds(time)}};
@@ -17,9 +33,11 @@ Json stamped(std::chrono::system_clock::time_point time) {
 
 std::string payload_text(const Json& json) { return detail::json_text(json); }
 
-std::string sample_text(const AnyMessage& message, std::chrono::system_clock::time_point time) {
-  return fmt::format(R"({{"version":{},"time":{},"message":"{}","fields":{}}})", payload_version,
-                     unix_milliseconds(time), message.type().info->name, message.to_json());
+std::string sample_text(const AnyMessage& message, std::chrono::system_clock::time_point time,
+                        bool has_units) {
+  return fmt::format(R"({{"version":{},"time":{},"message":"{}","fields":{}{}}})", payload_version,
+                     unix_milliseconds(time), message.type().info->name, message.to_json(),
+                     has_units ? units_text(message) : "");
 }
 
 std::string event_text(const GimbalEvent& event, std::chrono::system_clock::time_point time) {

@@ -20,7 +20,9 @@ Json stamped(std::chrono::system_clock::time_point time = std::chrono::system_cl
 
 std::string payload_text(const Json& json);
 
-std::string sample_text(const AnyMessage& message, std::chrono::system_clock::time_point time);
+/// With `has_units`, "units" has what the numbers of "fields" mean, by path.
+std::string sample_text(const AnyMessage& message, std::chrono::system_clock::time_point time,
+                        bool has_units);
 
 std::string event_text(const GimbalEvent& event, std::chrono::system_clock::time_point time);
 

@@ -291,8 +291,10 @@ Json gateway_schema() {
   definitions["gateway_state"] = gateway_state_schema();
   for (const MessageType* const type : message_types()) {
     if (is_from_board(*type)) {
+      Json others = stamp_schema();
+      others["units"] = {{"type", "object"}, {"additionalProperties", {{"type", "object"}}}};
       definitions[std::string("telemetry.") + type->info->name] =
-          message_schema(*type, stamp_schema(), {"version", "time", "message", "fields"});
+          message_schema(*type, std::move(others), {"version", "time", "message", "fields"});
     }
     Json fields = members_schema(type->fields(), type->is_sent_to_board());
     fields["description"] = type->info->summary;

@@ -29,6 +29,7 @@ port = "{front}"
 allow = ["stop", "move", "speed", "motors", "home", "menu", "get", "set", "raw"]
 raw-effects = ["sets"]
 telemetry = ["RealtimeData4 50"]
+units = "yes"
 [gimbal.rear]
 port = "{rear}"
 """
@@ -112,6 +113,10 @@ def test_what_is_published_fits_the_schema(studio: Studio) -> None:
     assert studio.result("raw", {"message": "BoardInfoRequest"})["status"] == "done"
     assert studio.result("move", {"angles": {"yaw": 1}, "speed": -1})["status"] == "refused"
     eventually(lambda: studio.seen.on("sbgc/studio/front/telemetry/RealtimeData4"))
+    sample = studio.seen.on("sbgc/studio/front/telemetry/RealtimeData4")[-1].json
+    volts = {"real": sample["fields"]["bat_level"] / 100, "unit": "V"}
+    assert sample["units"]["bat_level"] == pytest.approx(volts)
+    assert sample["units"]["angle.pitch"]["unit"] == "deg"
     kinds = {
         "state": "state",
         "event": "event",

@@ -4,6 +4,7 @@ import fs from "node:fs";
 import { createRequire } from "node:module";
 import path from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
+import vm from "node:vm";
 
 export const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), "../..");
 export const site = process.env.SBGC_SITE ?? path.join(root, "build/site");
@@ -58,6 +59,15 @@ export async function loadModule(name) {
   const { instance } = await WebAssembly.instantiate(code, { wasi_snapshot_preview1: files });
   instance.exports._initialize();
   return instance.exports;
+}
+
+/** Returns the search of the site as a function of the query. */
+export async function searchOfSite() {
+  const context = vm.createContext({ setTimeout });
+  for (const name of ["minisearch", "finder", "search-index"]) {
+    vm.runInContext(fs.readFileSync(path.join(site, `assets/${name}.js`), "utf8"), context);
+  }
+  return vm.runInContext("sbgcFinder(MiniSearch, sbgcSearchIndex)", context);
 }
 
 /** Launches the Chromium in CHROMIUM, Debian's headless one, or another. */

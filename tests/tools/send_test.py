@@ -162,6 +162,7 @@ def test_lists_bytes_texts_and_flags() -> None:
     assert data["data"] == "00ff" * 32
     names = fields_of("WriteProfileNames", "profile_name[2]=Ünï")
     assert names["profile_name"][2] == "Ünï"
+    assert run("send", "73", "--dry-run").text == run("send", "GetAnglesRequest", "--dry-run").text
     stream = fields_of("DataStreamInterval", "cmd_id=88", "config.flags=IMU_ANGLES|GYRO_DATA")
     assert stream["config"]["flags"] == flags_named(
         "RealtimeDataCustomFlags", "IMU_ANGLES", "GYRO_DATA"

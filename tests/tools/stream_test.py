@@ -41,7 +41,7 @@ def rows_of(result: Result) -> tuple[list[str], list[list[str]]]:
 
 def test_csv_has_a_row_for_each_message(gimbal: EmulatedGimbal) -> None:
     header, rows = rows_of(
-        stream(gimbal, "RealtimeData4", "--rate", "20", "--format", "csv", "--for", "1s")
+        stream(gimbal, "25", "--rate", "20", "--format", "csv", "--for", "1s")  # RealtimeData4
     )
     assert header[0] == "time[s]"
     assert {"angle.roll[deg]", "bat_level[V]", "cycle_time[us]", "error_code"} <= set(header)

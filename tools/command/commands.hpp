@@ -16,6 +16,9 @@ struct CommandContext {
   GimbalOptions gimbal{};
 };
 
+/// What the help of `sbgc` alone begins with.
+const char* first_commands();
+
 /// Adds the subcommands that this program has: those of all_commands.cpp or offline_commands.cpp.
 void add_commands(CLI::App& app, CommandContext& context);
 

@@ -115,7 +115,8 @@ StreamType StreamType::find(std::string_view name) {
     const MessageInfo& info = Meta<M>::info;
     known.emplace_back(info.name);
     commands.emplace_back(info.command);
-    const bool is_it = detail::is_same_word(name, info.name) || is_command_name(name, info.command);
+    const bool is_it = detail::is_same_word(name, info.name) ||
+                       is_command_name(name, info.command) || parse_command_id(name) == info.id;
     if (!found && is_it) found = StreamType(message);
   });
   if (found) return *std::move(found);

@@ -61,6 +61,17 @@ void add_gateway(CLI::App& app, CommandContext& context) {
 }
 #endif
 
+const char* first_commands() {
+  return "To begin with:\n"
+         "  sbgc ports                      Which gimbals answer\n"
+         "  sbgc info                       Board, firmware and line\n"
+         "  sbgc monitor                    Angles and charts, live\n"
+         "  sbgc move --tilt 10 --pan 20    Turn the camera, after a question\n"
+         "  sbgc doctor                     What is wrong, and what helps\n"
+         "  Without a gimbal: `sbgc emulate --link gimbal &`, then `sbgc -p gimbal info`\n"
+         "\n";
+}
+
 void add_commands(CLI::App& app, CommandContext& context) {
   add_gimbal_options(app, context.gimbal);
   for (const auto& [name, commands] : headings) {

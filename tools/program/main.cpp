@@ -31,7 +31,7 @@ int run(int argc, char** argv) {
                        "Print the version, the protocol and the fingerprint of its model");
   add_commands(app, context);
   if (argc == 1) {
-    fmt::print("{}", app.help());
+    fmt::print("{}{}", first_commands(), app.help());
     return success;
   }
   try {

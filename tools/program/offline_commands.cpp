@@ -4,6 +4,8 @@
 
 namespace sbgc::tools {
 
+const char* first_commands() { return ""; }
+
 void add_commands(CLI::App& app, CommandContext& context) {
   app.group("Look");  // the heading in the help
   add_describe(app, context);

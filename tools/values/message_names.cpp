@@ -27,15 +27,16 @@ std::optional<std::uint8_t> parse_command_id(std::string_view word) {
 
 std::vector<const MessageType*> messages_named(std::string_view name, Direction direction) {
   if (const MessageType* const found = find_message(name)) return {found};
+  const auto id = parse_command_id(name);
   std::vector<const MessageType*> forms;
   for (const MessageType* const type : message_types()) {
     if (!type->info->travels(direction)) continue;
-    if (is_command_name(name, type->info->command)) forms.push_back(type);
+    if (is_command_name(name, type->info->command) || id == type->info->id) forms.push_back(type);
   }
   if (!forms.empty()) return forms;
   const MessageType* other = nullptr;
   for (const MessageType* const type : message_types()) {
-    if (!detail::is_same_word(name, type->info->name)) continue;
+    if (!detail::is_same_word(name, type->info->name) && id != type->info->id) continue;
     if (type->info->travels(direction)) return {type};
     other = type;
   }

@@ -21,7 +21,7 @@ std::optional<std::uint8_t> parse_command_id(std::string_view word);
 
 /// Returns the message with this name of ours, or the forms of this command that travel in
 /// `direction`; none if there are none. The name of a command may be in lower case and without
-/// CMD_.
+/// CMD_, or be its number.
 std::vector<const MessageType*> messages_named(std::string_view name, Direction direction);
 
 /// Returns the first of the forms that has all these fields. Throws ValueError if none has.

@@ -271,8 +271,8 @@ std::size_t draw_facts(Screen& screen, std::size_t row, std::size_t end, const L
   return std::min(row + (facts.size() + in_row - 1) / in_row, end);
 }
 
-std::string vibration_unit(const LiveValues& values) {
-  if (!(values.fastest_vibration > 0)) return ", vibration in deg/s";
+std::string vibration_unit(const LiveValues& values, bool is_wide) {
+  if (!is_wide || !(values.fastest_vibration > 0)) return ", vibration in deg/s";
   return fmt::format(", vibration in deg/s from {:.0f} to {:.0f} Hz", values.slowest_vibration,
                      values.fastest_vibration);
 }
@@ -286,7 +286,7 @@ void draw_overview(Screen& screen, const View& view, const GimbalSnapshot& gimba
     screen.put(
         row++, 9,
         fmt::format("degrees{}{}; {}", view.zero ? ", relative to the zero" : "",
-                    screen.width() < wide_screen ? "" : vibration_unit(values), directions_text()),
+                    vibration_unit(values, screen.width() >= wide_screen), directions_text()),
         Style::dim);
   }
   row = draw_facts(screen, row, end - 1, values);

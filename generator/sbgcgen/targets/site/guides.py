@@ -38,7 +38,12 @@ class Guide:
     @property
     def parts(self) -> list[Section]:
         """What comes before the first section, and the sections."""
-        parts = re.split(r'<h2 id="([^"]*)">(.*?)</h2>', self.html, flags=re.DOTALL)
+        return self.split("2")
+
+    def split(self, levels: str) -> list[Section]:
+        """What comes before the first heading of these levels, and what follows each, as in "23"."""
+        heading = rf'<h[{levels}] id="([^"]*)">(.*?)</h[{levels}]>'
+        parts = re.split(heading, self.html, flags=re.DOTALL)
         sections = zip(parts[1::3], parts[2::3], parts[3::3])
         return [
             Section("", Markup(), parts[0]),
@@ -54,11 +59,13 @@ class Guide:
 class Pages:
     """Where the site has what files of the project say: its guides, headers and other pages.
 
-    `others` are the pages about folders of the project.
+    `others` are the pages about folders of the project, `messages` those of messages by their names in lower
+    case.
     """
 
     headers: Sequence[Header] = ()
     others: Mapping[str, str] = field(default_factory=dict)
+    messages: Mapping[str, str] = field(default_factory=dict)
 
     def page_of(self, path: str, section: str) -> str:
         """The page about a file of the project, or a section of it; "" if there is none."""
@@ -68,6 +75,8 @@ class Pages:
             page = path.removeprefix("docs/")
         elif path in self.others:
             page = self.others[path]
+        elif path.startswith("generated/fields") and section.partition("-")[0] in self.messages:
+            return self.messages[section.partition("-")[0]]
         elif path.startswith(("spec", "generated/fields")):
             return _page_about(f"{path}#{section}" if section else path)
         else:

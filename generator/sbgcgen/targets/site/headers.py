@@ -30,6 +30,8 @@ class Item:
     code: Markup
     text: Markup
     members: tuple[Item, ...] = ()
+    # Links to the members of its bases, by the names of these.
+    inherited: tuple[tuple[str, tuple[Markup, ...]], ...] = ()
 
     @property
     def sentence(self) -> str:
@@ -131,6 +133,7 @@ class _Reader:
         for element in sorted(self._public(compounds), key=_location):
             self.declared[_location(element)[0]].append(element)
         self.pages: dict[str, str] = {}  # by the id of Doxygen
+        self.compounds = {compound.get("id"): compound for compound in compounds}
         self.types = _types(layout)
 
     @staticmethod
@@ -213,7 +216,17 @@ class _Reader:
         code, text = self._code(element), self._description(element)
         kind = element.get("kind", "")
         kind = {"typedef": "alias", "variable": "constant", "define": "macro"}.get(kind, kind)
-        return Item(kind, self._name(element), anchor, code, text, members)
+        inherited = tuple(self._inherited(element))
+        return Item(kind, self._name(element), anchor, code, text, members, inherited)
+
+    def _inherited(self, element: Element) -> Iterator[tuple[str, tuple[Markup, ...]]]:
+        for reference in element.findall("basecompoundref"):
+            base = self.compounds.get(reference.get("refid"))
+            if base is not None and base.get("id") in self.pages:
+                names = {
+                    _text_of(m, "name"): self.pages[m.get("id", "")] for m in self._members(base)
+                }
+                yield self._name(base), tuple(_link(page, name) for name, page in names.items())
 
     def _members(self, element: Element) -> list[Element]:
         """The public members in the order of the source: not what the compiler makes."""

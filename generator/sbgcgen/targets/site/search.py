@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from html import unescape
@@ -33,10 +34,22 @@ _COMMON = frozenset(
 # Pages that are not about one entry: file, title, description, search words.
 _PAGES = (
     (
+        "index",
+        "Start",
+        "What there is, for whom, and where to begin.",
+        "start download install source github license mit free price cost open project about overview",
+    ),
+    (
+        "messages",
+        "All messages",
+        "By id and by name.",
+        "message messages command commands list table index id ids all protocol serial api",
+    ),
+    (
         "framing",
         "Framing",
         "How to build and check frames and find them in a byte stream.",
-        "frame frames header body start byte id size checksum sync line serial baud parity",
+        "frame frames header body start byte id size checksum sync line serial baud parity packet packets format protocol structure",
     ),
     (
         "decoder",
@@ -57,7 +70,7 @@ _PAGES = (
         "availability",
         "Availability",
         "What each firmware and board version and each revision brought.",
-        "version versions firmware board revision revisions since history changes deprecated",
+        "changelog version versions firmware board revision revisions since history changes deprecated",
     ),
     (
         "errata",
@@ -96,9 +109,13 @@ def search_index(
     references: Sequence[Reference] = (),
     headers: Sequence[Header] = (),
 ) -> dict[str, Any]:
-    """All entries, the more important first, and groups of synonyms."""
+    """All entries, the more important first, groups of synonyms, and how often guides link a page."""
+    links = Counter(
+        link for guide in guides for link in re.findall(r'href="\.\./([^"#]+)', guide.html)
+    )
     return {
         "synonyms": [list(group) for group in layout.synonyms],
+        "links": links,
         "entries": [
             entry.data
             for entries in (
@@ -136,7 +153,7 @@ def _entries(layout: Layout, guides: Sequence[Guide], history: History) -> Itera
     for enum in layout.enums:
         for value in enum.values:
             page = f"{page_of_type(enum)}#{value.name}"
-            words = f"{enum.name} {value.value} {value.identifier}"
+            words = f"{enum.name} {value.value}"
             words = _joined(words, *(alias.spec_name for alias in value.aliases))
             yield Entry("value", value.name, value.summary, page, words)
     for variable in layout.variables:
@@ -280,7 +297,7 @@ def _guide(guide: Guide) -> Iterator[Entry]:
 
     Besides its own words, a part has those that people ask with: `<!-- search: jitter, jello -->`.
     """
-    start, *sections = guide.parts
+    start, *sections = guide.split("23")
     first = re.search(r"<p>(.*?)</p>", start.html, re.DOTALL)
     about = _text(first[1]) if first else ""
     yield Entry("guide", guide.title, about, guide.page, _words_of_part(start.html))

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import quote
 
+from jinja2.utils import htmlsafe_json_dumps
 from markupsafe import Markup, escape
 
 from sbgcgen import library
@@ -27,6 +28,7 @@ from sbgcgen.targets import (
 )
 from sbgcgen.targets.render import expand, sources_of
 from sbgcgen.targets.site import rows, uses
+from sbgcgen.targets.site.builder import builder_facts
 from sbgcgen.targets.site.documentation import Documentation
 from sbgcgen.targets.site.guides import Pages, front_of, guides_in, name_of
 from sbgcgen.targets.site.headers import Header, headers_of, linked
@@ -64,7 +66,11 @@ def view_of(site: Target, layout: Layout, project: Path) -> View:
     version = library.version(project) if (project / library.VERSION_HEADER).is_file() else ""
     headers = headers_of(project, layout)
     references = references_of(project)
-    handwritten = Pages(headers, {reference.source: reference.page for reference in references})
+    handwritten = Pages(
+        headers,
+        {reference.source: reference.page for reference in references},
+        {message.name.lower(): page_of(message) for message in layout.definitions},
+    )
     guides = guides_in(docs, handwritten)
     history = History(layout)
     each: dict[str, Items] = {
@@ -127,6 +133,7 @@ def _filters(layout: Layout, headers: list[Header]) -> dict[str, Callable[..., A
         return sorted(numbers)
 
     return {
+        "compact_json": lambda data: htmlsafe_json_dumps(data, separators=(",", ":")),
         "page": page_of,
         "prose": prose,
         "rows": rows_of,
@@ -135,6 +142,7 @@ def _filters(layout: Layout, headers: list[Header]) -> dict[str, Callable[..., A
         "sizes": lambda message: rows.sizes_of(message, layout),
         "byte_map": rows.byte_map,
         "bits": bits_of,
+        "builder_facts": builder_facts,
         "bit_range": bit_range,
         "later_leaves": lambda message: later_leaves(message, rows_of(message)),
         "needs": lambda type_: types.get(type_.name, Availability()),

@@ -5,6 +5,8 @@
 (() => {
   const section = document.getElementById("builder");
   const name = section.dataset.message;
+  const facts = JSON.parse(section.dataset.facts);
+  const typed = sbgcBuilderCode(name, facts);
   const root = document.body.dataset.root;
   const typingPause = 120; // ms
 
@@ -64,7 +66,9 @@
     const id = idOf(field.path);
     const problem = element("p", { class: "problem", id: `${id}-problem`, hidden: true });
     const unit = element("span", { class: "unit" }, field.unit ?? "");
-    const hint = element("small", { class: "muted", id: `${id}-hint` }, field.hint ?? "");
+    const positive = facts.positive[field.path];
+    const hints = [field.hint, positive && `positive: ${positive}`].filter(Boolean).join("; ");
+    const hint = element("small", { class: "muted", id: `${id}-hint` }, hints);
     control.setAttribute("aria-describedby", `${id}-hint ${id}-problem`);
     entries.push({ path: field.path, optional: field.optional ?? false, control, problem, unit, hint, read, write });
     return [unit, hint, problem];
@@ -191,29 +195,8 @@
       code: (lines) =>
         ["sbgc send", name, ...lines.map(([path, text, secret]) => quoted(`${path}=${secret && text ? "@FILE" : text}`))].join(" "),
     },
-    {
-      word: "cpp",
-      title: "C++",
-      code: (lines) =>
-        [
-          "#include <array>\n#include <cstdint>\n\n#include <sbgc/any.hpp>\n",
-          `sbgc::AnyMessage message = sbgc::find_message("${name}")->make();`,
-          ...lines.map(([path, text]) => `message.assign(${JSON.stringify(path)}, ${JSON.stringify(text)});`),
-          "std::array<std::uint8_t, sbgc::max_frame_size> frame{};",
-          "const sbgc::WriteResult written = message.encode_frame(sbgc::basic_framing, frame);",
-        ].join("\n"),
-    },
-    {
-      word: "python",
-      title: "Python",
-      code: (lines) =>
-        [
-          "from sbgc import encode, msg\n",
-          `message = msg.${name}()`,
-          ...lines.map(([path, text]) => `message.assign(${JSON.stringify(path)}, ${JSON.stringify(text)})`),
-          "frame = encode(message)",
-        ].join("\n"),
-    },
+    { word: "cpp", title: "C++", code: typed.cpp },
+    { word: "python", title: "Python", code: typed.python },
   ];
 
   const form = element("form", { autocomplete: "off" });
