@@ -75,10 +75,10 @@ def test_ctrl_c_at_each_step_stops_the_camera(
         "speed_control": control_speed,
     }
     gimbal.call(msg.MotorsOn())
-    for step in range(1, 200):
+    step = 1
+    while step < 200 and Interrupter(step).run(uses[kind]):
         sign = -sign
-        if not Interrupter(step).run(uses[kind]):
-            break
+        step += 1
         gimbal_board.sleep(0.3)
         assert max(abs(speed) for speed in gimbal_board.speeds) < 0.5, step
     assert step > 30

@@ -28,7 +28,8 @@ class Waiting(Link):
         self._has_ended = False
         self._closing: Awaitable[None] = _Done()
         # The client's thread rings; nothing of it runs Python. The loop must not keep this object.
-        self._loop.add_reader(self._link.descriptor, _ring, weakref.ref(self))
+        reference: weakref.ref[Waiting] = weakref.ref(self)
+        self._loop.add_reader(self._link.descriptor, _ring, reference)
 
     def __del__(self) -> None:
         super().__del__()
