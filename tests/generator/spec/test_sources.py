@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
+
 import pytest
 
 from documents import LATER, Json, model_of_documents
@@ -23,14 +25,11 @@ def model() -> Json:
 def test_the_source_of_a_message_is_about_its_command(facts: Json, model: Json) -> None:
     """Each range of lines names the command, or is in its list, its table or its errata."""
     mentioned = {name: set(lines) for name, lines in facts["mentions"].items()}
-    lines: dict[str, set[int]] = {}
-    for body in facts["bodies"]:
-        own = lines.setdefault(body["command"].removesuffix("_3"), set())
-        own.update(field["line"] for field in body["fields"])
-        own.add(body["line"])
-    for row in facts["rows"]:
-        for command in row["commands"]:
-            lines.setdefault(command.removesuffix("_3"), set()).add(row["line"])
+    lines: defaultdict[str, set[int]] = defaultdict(set)
+    for fact in (*facts["bodies"], *facts["rows"]):
+        for command in fact.get("commands", [fact.get("command")]):
+            own = {one["line"] for one in (fact, *fact.get("fields", []))}
+            lines[command.removesuffix("_3")] |= own
     codes = {code["line"] for code in facts["codes"]}
     errata = {e["number"]: e["lines"] for e in model["errata"]}
     with_codes = {
@@ -45,7 +44,7 @@ def test_the_source_of_a_message_is_about_its_command(facts: Json, model: Json) 
         if not ranges and message["source"] == LATER:  # test_documents.py compares those
             continue
         assert ranges, f"{message['name']}: no lines in '{message['source']}'"
-        wanted = about | lines.get(name.removesuffix("_3"), set())
+        wanted = about | lines[name.removesuffix("_3")]
         if name in with_codes:
             wanted |= codes
         for number in message["errata"]:
@@ -60,31 +59,22 @@ def test_the_source_of_a_message_is_about_its_command(facts: Json, model: Json) 
 
 def test_the_source_of_an_enum_holds_its_values(facts: Json, model: Json) -> None:
     """One of its lines has a named value, or the field with the enum as its type."""
-    constants: dict[str, set[int]] = {}
-    fields: dict[str, set[int]] = {}
-    for row in facts["rows"]:
-        spans = [row["line"], *row.get("more_lines", [])]
-        for name in row["names"]:
-            fields.setdefault(name.partition("[")[0], set()).update(spans)
-        for constant in row.get("constants", []):
-            constants.setdefault(constant["name"], set()).add(constant["line"])
-    for code in facts["codes"]:
-        constants.setdefault(code["name"], set()).add(code["line"])
-    for body in facts["bodies"]:
-        for field in body["fields"]:
-            spans = [field["line"], *field.get("more_lines", [])]
-            fields.setdefault(field["name"], set()).update(spans)
-    for variable in facts["variables"]:
-        constants.setdefault(variable["name"], set()).add(variable["line"])
-    for define in facts["defines"]:
-        constants.setdefault(define["name"], set()).add(define["line"])
+    constants: defaultdict[str, set[int]] = defaultdict(set)
+    fields: defaultdict[str, set[int]] = defaultdict(set)
+    in_rows = [constant for row in facts["rows"] for constant in row.get("constants", [])]
+    for fact in (*in_rows, *facts["codes"], *facts["variables"], *facts["defines"]):
+        constants[fact["name"]].add(fact["line"])
+    in_bodies = [field for body in facts["bodies"] for field in body["fields"]]
+    for fact in (*facts["rows"], *in_bodies):
+        for name in fact.get("names", [fact.get("name", "")]):
+            fields[name.partition("[")[0]] |= {fact["line"], *fact.get("more_lines", [])}
     users = _fields_by_enum(model)
     for enum in model["enums"]:
         about: set[int] = set()
         for value in enum["values"]:
-            about |= constants.get(value["name"], set())
-        for name in users.get(enum["name"], set()):
-            about |= fields.get(name, set())
+            about |= constants[value["name"]]
+        for name in users[enum["name"]]:
+            about |= fields[name]
         ranges = parse_lines(enum["source"])
         if not ranges and enum["source"] == LATER:  # test_documents.py compares those
             continue
@@ -92,9 +82,9 @@ def test_the_source_of_an_enum_holds_its_values(facts: Json, model: Json) -> Non
         assert inside, f"{enum['name']}: none of its values in '{enum['source']}'"
 
 
-def _fields_by_enum(model: Json) -> dict[str, set[str]]:
+def _fields_by_enum(model: Json) -> defaultdict[str, set[str]]:
     """Returns the names of the fields that have an enum as their type, or as the type of a part."""
-    users: dict[str, set[str]] = {}
+    users: defaultdict[str, set[str]] = defaultdict(set)
     parts = {p["name"]: p for p in model["packed"]}
     for message in model["messages"]:
         leaves = [leaf for top in message["layout"] for leaf in [top, *top.get("cases", [])]]
@@ -102,7 +92,7 @@ def _fields_by_enum(model: Json) -> dict[str, set[str]]:
             packed = parts.get(leaf.get("packed", ""), {"parts": []})
             names = {leaf["enum"], *(part["enum"] for part in packed["parts"])}
             for name in names - {None}:
-                users.setdefault(name, set()).add(leaf["spec_name"])
+                users[name].add(leaf["spec_name"])
                 if leaf["path"].startswith("config."):
                     users[name].add("CONFIG")
     return users
