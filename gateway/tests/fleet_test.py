@@ -46,7 +46,7 @@ def test_the_sample_is_a_fleet(tmp_path: Path) -> None:
         ),
         (FLEET + 'allow = ["mov"]\n', "6:10", "no task 'mov'; did you mean 'move'?"),
         (FLEET + 'raw-effects = ["reads",\n  "explodes"]\n', "7:3", "no effect 'explodes'"),
-        (FLEET + 'units = "V"\n', "6:9", "'units' must be \"yes\" or \"no\""),
+        (FLEET + 'units = "V"\n', "6:9", '\'units\' must be "yes" or "no"'),
         (FLEET + 'telemetry = ["RealtimeData4"]\n', "6:14", "is not a message and its rate"),
         (FLEET + 'telemetry = "RealtimeDat4 1"\n', "6:13", "did you mean 'RealtimeData4'"),
         (

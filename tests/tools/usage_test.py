@@ -114,7 +114,9 @@ def test_help(arguments: list[str]) -> None:
 
 def test_help_of_a_command() -> None:
     assert run("help").text == run("--help").text
-    assert run().text.startswith("To begin with:\n  sbgc ports") and run().text.endswith(run("help").text)
+    assert run().text.startswith("To begin with:\n  sbgc ports") and run().text.endswith(
+        run("help").text
+    )
     for words in (["stream"], ["params", "get"], ["help"]):
         assert run("help", *words).text == run(*words, "--help").text
     wrong = run("help", "params", "gte")

@@ -66,7 +66,7 @@ const char* first_commands() {
          "  sbgc ports                      Which gimbals answer\n"
          "  sbgc info                       Board, firmware and line\n"
          "  sbgc monitor                    Angles and charts, live\n"
-         "  sbgc move --tilt 10 --pan 20    Turn the camera, after a question\n"
+         "  sbgc move --tilt 10down         Turn the camera, after a question\n"
          "  sbgc doctor                     What is wrong, and what helps\n"
          "  Without a gimbal: `sbgc emulate --link gimbal &`, then `sbgc -p gimbal info`\n"
          "\n";
