@@ -8,7 +8,7 @@ const Request& StreamListeners::Stream::fastest() const {
   const auto faster = [](const auto& a, const auto& b) {
     return a.second.interval_us() < b.second.interval_us();
   };
-  return std::ranges::min_element(shares, faster)->second.start;
+  return std::min_element(shares.begin(), shares.end(), faster)->second.start;
 }
 
 StreamListeners::Listener StreamListeners::join(const Key& key, const Request& start, Request end) {
