@@ -127,12 +127,9 @@ struct Meta<msg::AdjVarFloat> {
 template <>
 struct Meta<msg::SetAdjVarsVal> {
   static constexpr MessageInfo info{
-      .name = "SetAdjVarsVal",
-      .command = "CMD_SET_ADJ_VARS_VAL",
-      .summary = "Values of adjustable variables.",
-      .id = 31, .direction = Direction::both,
-      .min_size = 1, .max_size = 201,
-      .since = {.board = 30},
+      .name = "SetAdjVarsVal", .command = "CMD_SET_ADJ_VARS_VAL",
+      .summary = "Values of adjustable variables.", .id = 31, .direction = Direction::both,
+      .min_size = 1, .max_size = 201, .since = {.board = 30},
       .effects = Effects(Effect::sets) | Effect::moves};
   static constexpr Range num_vars_range{1, 40};
   static constexpr FieldInfo fields[] = {
@@ -156,14 +153,10 @@ template <>
 struct Meta<msg::GetAdjVarsVal> {
   static constexpr const char* answers[] = {"SetAdjVarsVal"};
   static constexpr MessageInfo info{
-      .name = "GetAdjVarsVal",
-      .command = "CMD_GET_ADJ_VARS_VAL",
-      .summary = "Request the values of adjustable variables.",
-      .id = 64, .direction = Direction::to_board,
-      .min_size = 1, .max_size = 41,
-      .since = {.board = 30},
-      .answers = answers,
-      .effects = Effects(Effect::reads)};
+      .name = "GetAdjVarsVal", .command = "CMD_GET_ADJ_VARS_VAL",
+      .summary = "Request the values of adjustable variables.", .id = 64,
+      .direction = Direction::to_board, .min_size = 1, .max_size = 41, .since = {.board = 30},
+      .answers = answers, .effects = Effects(Effect::reads)};
   static constexpr Range num_vars_range{1, 40};
   static constexpr FieldInfo fields[] = {
       {.name = "num_vars", .spec_name = "NUM_VARS", .summary = "Number of variables that follow.",
@@ -184,12 +177,9 @@ struct Meta<msg::GetAdjVarsVal> {
 template <>
 struct Meta<msg::ReadAdjVarsCfg> {
   static constexpr MessageInfo info{
-      .name = "ReadAdjVarsCfg",
-      .command = "CMD_READ_ADJ_VARS_CFG",
-      .summary = "RC signals that trigger actions or change adjustable variables.",
-      .id = 43, .direction = Direction::from_board,
-      .min_size = 128, .max_size = 128,
-      .since = {.board = 30}};
+      .name = "ReadAdjVarsCfg", .command = "CMD_READ_ADJ_VARS_CFG",
+      .summary = "RC signals that trigger actions or change adjustable variables.", .id = 43,
+      .direction = Direction::from_board, .min_size = 128, .max_size = 128, .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "trigger_slots", .spec_name = "trigger_slots",
        .summary = "RC signals that trigger actions; the range of a signal is split into five levels."},
@@ -216,14 +206,10 @@ template <>
 struct Meta<msg::ReadAdjVarsCfgRequest> {
   static constexpr const char* answers[] = {"ReadAdjVarsCfg"};
   static constexpr MessageInfo info{
-      .name = "ReadAdjVarsCfgRequest",
-      .command = "CMD_READ_ADJ_VARS_CFG",
+      .name = "ReadAdjVarsCfgRequest", .command = "CMD_READ_ADJ_VARS_CFG",
       .summary = "Request the RC signals that trigger actions or change adjustable variables.",
-      .id = 43, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 0,
-      .since = {.board = 30},
-      .answers = answers,
-      .effects = Effects(Effect::reads)};
+      .id = 43, .direction = Direction::to_board, .min_size = 0, .max_size = 0,
+      .since = {.board = 30}, .answers = answers, .effects = Effects(Effect::reads)};
 
   static constexpr void visit(auto&, auto&&) {
   }
@@ -232,12 +218,9 @@ struct Meta<msg::ReadAdjVarsCfgRequest> {
 template <>
 struct Meta<msg::AdjVarsState> {
   static constexpr MessageInfo info{
-      .name = "AdjVarsState",
-      .command = "CMD_ADJ_VARS_STATE",
-      .summary = "Current state of one trigger slot and one analog slot.",
-      .id = 46, .direction = Direction::from_board,
-      .min_size = 15, .max_size = 15,
-      .since = {.board = 30}};
+      .name = "AdjVarsState", .command = "CMD_ADJ_VARS_STATE",
+      .summary = "Current state of one trigger slot and one analog slot.", .id = 46,
+      .direction = Direction::from_board, .min_size = 15, .max_size = 15, .since = {.board = 30}};
   static constexpr Range trigger_rc_data_range{-500, 500};
   static constexpr Range trigger_action_range{0, 255};
   static constexpr Range analog_rc_data_range{-500, 500};
@@ -276,11 +259,9 @@ struct Meta<msg::AdjVarsState> {
 template <>
 struct Meta<msg::AdjVarsStateExt> {
   static constexpr MessageInfo info{
-      .name = "AdjVarsStateExt",
-      .command = "CMD_ADJ_VARS_STATE",
-      .summary = "Current state of a trigger slot, two RC signals and two variables.",
-      .id = 46, .direction = Direction::from_board,
-      .min_size = 15, .max_size = 15,
+      .name = "AdjVarsStateExt", .command = "CMD_ADJ_VARS_STATE",
+      .summary = "Current state of a trigger slot, two RC signals and two variables.", .id = 46,
+      .direction = Direction::from_board, .min_size = 15, .max_size = 15,
       .since = {.firmware = 2625}};
   static constexpr Range trigger_rc_data_range{-16384, 16384};
   static constexpr Range trigger_action_range{0, 255};
@@ -326,14 +307,10 @@ template <>
 struct Meta<msg::AdjVarsStateRequest> {
   static constexpr const char* answers[] = {"AdjVarsState"};
   static constexpr MessageInfo info{
-      .name = "AdjVarsStateRequest",
-      .command = "CMD_ADJ_VARS_STATE",
-      .summary = "Request the state of one trigger slot and one analog slot.",
-      .id = 46, .direction = Direction::to_board,
-      .min_size = 2, .max_size = 2,
-      .since = {.board = 30},
-      .answers = answers,
-      .effects = Effects(Effect::reads)};
+      .name = "AdjVarsStateRequest", .command = "CMD_ADJ_VARS_STATE",
+      .summary = "Request the state of one trigger slot and one analog slot.", .id = 46,
+      .direction = Direction::to_board, .min_size = 2, .max_size = 2, .since = {.board = 30},
+      .answers = answers, .effects = Effects(Effect::reads)};
   static constexpr FieldInfo fields[] = {
       {.name = "trigger_slot", .spec_name = "TRIGGER_SLOT",
        .summary = "Trigger slot, counted from 0."},
@@ -354,14 +331,10 @@ template <>
 struct Meta<msg::AdjVarsStateRequestExt> {
   static constexpr const char* answers[] = {"AdjVarsStateExt"};
   static constexpr MessageInfo info{
-      .name = "AdjVarsStateRequestExt",
-      .command = "CMD_ADJ_VARS_STATE",
-      .summary = "Request the state of a trigger slot, two RC signals and two variables.",
-      .id = 46, .direction = Direction::to_board,
-      .min_size = 7, .max_size = 7,
-      .since = {.firmware = 2625},
-      .answers = answers,
-      .effects = Effects(Effect::reads)};
+      .name = "AdjVarsStateRequestExt", .command = "CMD_ADJ_VARS_STATE",
+      .summary = "Request the state of a trigger slot, two RC signals and two variables.", .id = 46,
+      .direction = Direction::to_board, .min_size = 7, .max_size = 7, .since = {.firmware = 2625},
+      .answers = answers, .effects = Effects(Effect::reads)};
   static constexpr Range trigger_slot_range{0, 9};
   static constexpr FieldInfo fields[] = {
       {.name = "trigger_slot", .spec_name = "TRIGGER_SLOT",
@@ -393,11 +366,9 @@ struct Meta<msg::AdjVarsStateRequestExt> {
 template <>
 struct Meta<msg::AdjVarsInfo> {
   static constexpr MessageInfo info{
-      .name = "AdjVarsInfo",
-      .command = "CMD_ADJ_VARS_INFO",
-      .summary = "Names, ranges and values of adjustable variables.",
-      .id = 132, .direction = Direction::from_board,
-      .min_size = 1, .max_size = 255,
+      .name = "AdjVarsInfo", .command = "CMD_ADJ_VARS_INFO",
+      .summary = "Names, ranges and values of adjustable variables.", .id = 132,
+      .direction = Direction::from_board, .min_size = 1, .max_size = 255,
       .since = {.firmware = 2730}};
   static constexpr FieldInfo fields[] = {
       {.name = "total_number", .spec_name = "TOTAL_NUMBER",
@@ -419,14 +390,10 @@ template <>
 struct Meta<msg::AdjVarsInfoRequest> {
   static constexpr const char* answers[] = {"AdjVarsInfo"};
   static constexpr MessageInfo info{
-      .name = "AdjVarsInfoRequest",
-      .command = "CMD_ADJ_VARS_INFO",
-      .summary = "Request names, ranges and values of adjustable variables.",
-      .id = 132, .direction = Direction::to_board,
-      .min_size = 1, .max_size = 1,
-      .since = {.firmware = 2730},
-      .answers = answers,
-      .effects = Effects(Effect::reads)};
+      .name = "AdjVarsInfoRequest", .command = "CMD_ADJ_VARS_INFO",
+      .summary = "Request names, ranges and values of adjustable variables.", .id = 132,
+      .direction = Direction::to_board, .min_size = 1, .max_size = 1, .since = {.firmware = 2730},
+      .answers = answers, .effects = Effects(Effect::reads)};
   static constexpr FieldInfo fields[] = {
       {.name = "start_id", .spec_name = "START_ID",
        .summary = "First variable to describe; for the next page, the last one that came, plus 1. The last page is empty."},
@@ -444,14 +411,10 @@ template <>
 struct Meta<msg::AdjVarsInfoRequestAll> {
   static constexpr const char* answers[] = {"AdjVarsInfo"};
   static constexpr MessageInfo info{
-      .name = "AdjVarsInfoRequestAll",
-      .command = "CMD_ADJ_VARS_INFO",
+      .name = "AdjVarsInfoRequestAll", .command = "CMD_ADJ_VARS_INFO",
       .summary = "Request names, ranges and values of adjustable variables, starting with the first.",
-      .id = 132, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 0,
-      .since = {.firmware = 2730},
-      .unconfirmed = true,
-      .answers = answers,
+      .id = 132, .direction = Direction::to_board, .min_size = 0, .max_size = 0,
+      .since = {.firmware = 2730}, .unconfirmed = true, .answers = answers,
       .effects = Effects(Effect::reads)};
 
   static constexpr void visit(auto&, auto&&) {
@@ -461,12 +424,9 @@ struct Meta<msg::AdjVarsInfoRequestAll> {
 template <>
 struct Meta<msg::SetAdjVarsValF> {
   static constexpr MessageInfo info{
-      .name = "SetAdjVarsValF",
-      .command = "CMD_SET_ADJ_VARS_VAL_F",
-      .summary = "Values of adjustable variables in floating point.",
-      .id = 134, .direction = Direction::both,
-      .min_size = 1, .max_size = 201,
-      .since = {.firmware = 2734},
+      .name = "SetAdjVarsValF", .command = "CMD_SET_ADJ_VARS_VAL_F",
+      .summary = "Values of adjustable variables in floating point.", .id = 134,
+      .direction = Direction::both, .min_size = 1, .max_size = 201, .since = {.firmware = 2734},
       .effects = Effects(Effect::sets) | Effect::moves};
   static constexpr Range num_params_range{1, 40};
   static constexpr FieldInfo fields[] = {
@@ -490,14 +450,10 @@ template <>
 struct Meta<msg::GetAdjVarsValF> {
   static constexpr const char* answers[] = {"SetAdjVarsValF"};
   static constexpr MessageInfo info{
-      .name = "GetAdjVarsValF",
-      .command = "CMD_GET_ADJ_VARS_VAL_F",
-      .summary = "Request the values of adjustable variables in floating point.",
-      .id = 135, .direction = Direction::to_board,
-      .min_size = 1, .max_size = 41,
-      .since = {.firmware = 2734},
-      .answers = answers,
-      .effects = Effects(Effect::reads)};
+      .name = "GetAdjVarsValF", .command = "CMD_GET_ADJ_VARS_VAL_F",
+      .summary = "Request the values of adjustable variables in floating point.", .id = 135,
+      .direction = Direction::to_board, .min_size = 1, .max_size = 41, .since = {.firmware = 2734},
+      .answers = answers, .effects = Effects(Effect::reads)};
   static constexpr Range num_params_range{1, 40};
   static constexpr FieldInfo fields[] = {
       {.name = "num_params", .spec_name = "NUM_PARAMS",
@@ -518,13 +474,10 @@ struct Meta<msg::GetAdjVarsValF> {
 template <>
 struct Meta<msg::WriteAdjVarsCfg> : Meta<msg::ReadAdjVarsCfg> {
   static constexpr MessageInfo info{
-      .name = "WriteAdjVarsCfg",
-      .command = "CMD_WRITE_ADJ_VARS_CFG",
+      .name = "WriteAdjVarsCfg", .command = "CMD_WRITE_ADJ_VARS_CFG",
       .summary = "Store the RC signals that trigger actions or change adjustable variables.",
-      .id = 44, .direction = Direction::to_board,
-      .min_size = 128, .max_size = 128,
-      .since = {.board = 30},
-      .stores = "ReadAdjVarsCfg",
+      .id = 44, .direction = Direction::to_board, .min_size = 128, .max_size = 128,
+      .since = {.board = 30}, .stores = "ReadAdjVarsCfg",
       .effects = Effects(Effect::stores) | Effect::moves};
 };
 

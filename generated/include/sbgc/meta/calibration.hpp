@@ -173,11 +173,9 @@ struct Meta<msg::BodeSample> {
 template <>
 struct Meta<msg::CalibAcc> {
   static constexpr MessageInfo info{
-      .name = "CalibAcc",
-      .command = "CMD_CALIB_ACC",
-      .summary = "Calibrate the accelerometer of the active IMU.",
-      .id = 65, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 0,
+      .name = "CalibAcc", .command = "CMD_CALIB_ACC",
+      .summary = "Calibrate the accelerometer of the active IMU.", .id = 65,
+      .direction = Direction::to_board, .min_size = 0, .max_size = 0,
       .effects = Effects(Effect::stores),
       .preparation = "Place the camera so that the sensor is exactly level, on something that does not move, and turn the motors off. To calibrate the other directions as well, repeat it with each side of the sensor upwards; CMD_CALIB_INFO shows which ones are done."};
 
@@ -188,11 +186,9 @@ struct Meta<msg::CalibAcc> {
 template <>
 struct Meta<msg::CalibAccExt> {
   static constexpr MessageInfo info{
-      .name = "CalibAccExt",
-      .command = "CMD_CALIB_ACC",
-      .summary = "Calibrate the accelerometer of an IMU, or manage its calibrations.",
-      .id = 65, .direction = Direction::to_board,
-      .min_size = 12, .max_size = 12,
+      .name = "CalibAccExt", .command = "CMD_CALIB_ACC",
+      .summary = "Calibrate the accelerometer of an IMU, or manage its calibrations.", .id = 65,
+      .direction = Direction::to_board, .min_size = 12, .max_size = 12,
       .effects = Effects(Effect::stores) | Effect::restarts | Effect::erases,
       .preparation = "Place the camera so that the sensor is exactly level, on something that does not move, and turn the motors off. To calibrate the other directions as well, repeat it with each side of the sensor upwards; CMD_CALIB_INFO shows which ones are done. For TEMPERATURE, cool the sensor down first; it is calibrated while it warms up by itself."};
   static constexpr FieldInfo fields[] = {
@@ -222,11 +218,9 @@ struct Meta<msg::CalibAccExt> {
 template <>
 struct Meta<msg::CalibGyro> {
   static constexpr MessageInfo info{
-      .name = "CalibGyro",
-      .command = "CMD_CALIB_GYRO",
-      .summary = "Calibrate the gyroscope of the active IMU.",
-      .id = 103, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 0,
+      .name = "CalibGyro", .command = "CMD_CALIB_GYRO",
+      .summary = "Calibrate the gyroscope of the active IMU.", .id = 103,
+      .direction = Direction::to_board, .min_size = 0, .max_size = 0,
       .effects = Effects(Effect::stores),
       .preparation = "Leave the camera completely still, in any position, and turn the motors off; do not touch it until the end."};
 
@@ -237,11 +231,9 @@ struct Meta<msg::CalibGyro> {
 template <>
 struct Meta<msg::CalibGyroExt> {
   static constexpr MessageInfo info{
-      .name = "CalibGyroExt",
-      .command = "CMD_CALIB_GYRO",
-      .summary = "Calibrate the gyroscope of an IMU, or manage its calibrations.",
-      .id = 103, .direction = Direction::to_board,
-      .min_size = 12, .max_size = 12,
+      .name = "CalibGyroExt", .command = "CMD_CALIB_GYRO",
+      .summary = "Calibrate the gyroscope of an IMU, or manage its calibrations.", .id = 103,
+      .direction = Direction::to_board, .min_size = 12, .max_size = 12,
       .effects = Effects(Effect::stores) | Effect::restarts | Effect::erases,
       .preparation = "Leave the camera completely still, in any position, and turn the motors off; do not touch it until the end. For TEMPERATURE, cool the sensor down first; it is calibrated while it warms up by itself."};
   static constexpr Special time_ms_special[] = {
@@ -275,13 +267,9 @@ struct Meta<msg::CalibGyroExt> {
 template <>
 struct Meta<msg::CalibMag> {
   static constexpr MessageInfo info{
-      .name = "CalibMag",
-      .command = "CMD_CALIB_MAG",
-      .summary = "Calibrate the magnetometer.",
-      .id = 59, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 0,
-      .since = {.board = 30},
-      .effects = Effects(Effect::stores),
+      .name = "CalibMag", .command = "CMD_CALIB_MAG", .summary = "Calibrate the magnetometer.",
+      .id = 59, .direction = Direction::to_board, .min_size = 0, .max_size = 0,
+      .since = {.board = 30}, .effects = Effects(Effect::stores),
       .preparation = "Take the gimbal away from steel and from other motors, and turn the motors off. While the calibration runs, turn the sensor slowly about all its axes, until every side has pointed in every direction."};
 
   static constexpr void visit(auto&, auto&&) {
@@ -291,12 +279,9 @@ struct Meta<msg::CalibMag> {
 template <>
 struct Meta<msg::CalibMagExt> {
   static constexpr MessageInfo info{
-      .name = "CalibMagExt",
-      .command = "CMD_CALIB_MAG",
-      .summary = "Calibrate the magnetometer of an IMU, or manage its calibrations.",
-      .id = 59, .direction = Direction::to_board,
-      .min_size = 12, .max_size = 12,
-      .since = {.board = 30},
+      .name = "CalibMagExt", .command = "CMD_CALIB_MAG",
+      .summary = "Calibrate the magnetometer of an IMU, or manage its calibrations.", .id = 59,
+      .direction = Direction::to_board, .min_size = 12, .max_size = 12, .since = {.board = 30},
       .effects = Effects(Effect::stores) | Effect::restarts | Effect::erases,
       .preparation = "Take the gimbal away from steel and from other motors, and turn the motors off. While the calibration runs, turn the sensor slowly about all its axes, until every side has pointed in every direction."};
   static constexpr FieldInfo fields[] = {
@@ -326,11 +311,9 @@ struct Meta<msg::CalibMagExt> {
 template <>
 struct Meta<msg::CalibExtGain> {
   static constexpr MessageInfo info{
-      .name = "CalibExtGain",
-      .command = "CMD_CALIB_EXT_GAIN",
-      .summary = "Calibrate the gains of a flight controller's signals.",
-      .id = 71, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 0,
+      .name = "CalibExtGain", .command = "CMD_CALIB_EXT_GAIN",
+      .summary = "Calibrate the gains of a flight controller's signals.", .id = 71,
+      .direction = Direction::to_board, .min_size = 0, .max_size = 0,
       .effects = Effects(Effect::stores) | Effect::moves,
       .preparation = "Connect the flight controller and level the camera. While the calibration runs, tilt the frame smoothly by 20 to 40 degrees to both sides, in roll and in pitch."};
 
@@ -341,11 +324,9 @@ struct Meta<msg::CalibExtGain> {
 template <>
 struct Meta<msg::CalibPoles> {
   static constexpr MessageInfo info{
-      .name = "CalibPoles",
-      .command = "CMD_CALIB_POLES",
-      .summary = "Detect the poles and the direction of the motors.",
-      .id = 80, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 0,
+      .name = "CalibPoles", .command = "CMD_CALIB_POLES",
+      .summary = "Detect the poles and the direction of the motors.", .id = 80,
+      .direction = Direction::to_board, .min_size = 0, .max_size = 0,
       .effects = Effects(Effect::stores) | Effect::moves,
       .preparation = "Balance the camera, fasten the frame, and make sure that all axes turn freely: the motors turn the camera. Their power must be set high enough to hold it."};
 
@@ -356,12 +337,9 @@ struct Meta<msg::CalibPoles> {
 template <>
 struct Meta<msg::CalibOffset> {
   static constexpr MessageInfo info{
-      .name = "CalibOffset",
-      .command = "CMD_CALIB_OFFSET",
-      .summary = "Calibrate the follow mode offset.",
-      .id = 79, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 0,
-      .effects = Effects(Effect::stores) | Effect::moves,
+      .name = "CalibOffset", .command = "CMD_CALIB_OFFSET",
+      .summary = "Calibrate the follow mode offset.", .id = 79, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 0, .effects = Effects(Effect::stores) | Effect::moves,
       .preparation = "Level the frame, and turn the camera to the position, relative to the frame, that it should have in follow mode."};
 
   static constexpr void visit(auto&, auto&&) {
@@ -371,11 +349,9 @@ struct Meta<msg::CalibOffset> {
 template <>
 struct Meta<msg::CalibBat> {
   static constexpr MessageInfo info{
-      .name = "CalibBat",
-      .command = "CMD_CALIB_BAT",
-      .summary = "Calibrate the battery voltage measurement.",
-      .id = 66, .direction = Direction::to_board,
-      .min_size = 2, .max_size = 2,
+      .name = "CalibBat", .command = "CMD_CALIB_BAT",
+      .summary = "Calibrate the battery voltage measurement.", .id = 66,
+      .direction = Direction::to_board, .min_size = 2, .max_size = 2,
       .effects = Effects(Effect::stores),
       .preparation = "Measure the voltage of the battery with a voltmeter, at the connector of the board, while the board is on."};
   static constexpr FieldInfo fields[] = {
@@ -394,11 +370,8 @@ struct Meta<msg::CalibBat> {
 template <>
 struct Meta<msg::CalibInfo> {
   static constexpr MessageInfo info{
-      .name = "CalibInfo",
-      .command = "CMD_CALIB_INFO",
-      .summary = "Calibration status for display.",
-      .id = 49, .direction = Direction::from_board,
-      .min_size = 33, .max_size = 33,
+      .name = "CalibInfo", .command = "CMD_CALIB_INFO", .summary = "Calibration status for display.",
+      .id = 49, .direction = Direction::from_board, .min_size = 33, .max_size = 33,
       .since = {.board = 30}};
   static constexpr Range progress_range{0, 100};
   static constexpr Range acc_cur_axis_range{0, 2};
@@ -497,13 +470,9 @@ template <>
 struct Meta<msg::CalibInfoRequest> {
   static constexpr const char* answers[] = {"CalibInfo"};
   static constexpr MessageInfo info{
-      .name = "CalibInfoRequest",
-      .command = "CMD_CALIB_INFO",
-      .summary = "Request the calibration status.",
-      .id = 49, .direction = Direction::to_board,
-      .min_size = 12, .max_size = 12,
-      .since = {.board = 30},
-      .answers = answers,
+      .name = "CalibInfoRequest", .command = "CMD_CALIB_INFO",
+      .summary = "Request the calibration status.", .id = 49, .direction = Direction::to_board,
+      .min_size = 12, .max_size = 12, .since = {.board = 30}, .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr FieldInfo fields[] = {
       {.name = "imu_type", .spec_name = "IMU_TYPE", .summary = "The IMU."},
@@ -524,12 +493,9 @@ struct Meta<msg::CalibInfoRequest> {
 template <>
 struct Meta<msg::CalibMotorMagLink> {
   static constexpr MessageInfo info{
-      .name = "CalibMotorMagLink",
-      .command = "CMD_CALIB_MOTOR_MAG_LINK",
-      .summary = "Undocumented body from the board.",
-      .id = 74, .direction = Direction::from_board,
-      .min_size = 0, .max_size = 255,
-      .since = {.board = 30}};
+      .name = "CalibMotorMagLink", .command = "CMD_CALIB_MOTOR_MAG_LINK",
+      .summary = "Undocumented body from the board.", .id = 74, .direction = Direction::from_board,
+      .min_size = 0, .max_size = 255, .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
@@ -545,13 +511,9 @@ struct Meta<msg::CalibMotorMagLink> {
 template <>
 struct Meta<msg::CalibMotorMagLinkRequest> {
   static constexpr MessageInfo info{
-      .name = "CalibMotorMagLinkRequest",
-      .command = "CMD_CALIB_MOTOR_MAG_LINK",
-      .summary = "Undocumented body to the board.",
-      .id = 74, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 255,
-      .since = {.board = 30},
-      .effects = Effects(Effect::unknown)};
+      .name = "CalibMotorMagLinkRequest", .command = "CMD_CALIB_MOTOR_MAG_LINK",
+      .summary = "Undocumented body to the board.", .id = 74, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 255, .since = {.board = 30}, .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
@@ -567,12 +529,9 @@ struct Meta<msg::CalibMotorMagLinkRequest> {
 template <>
 struct Meta<msg::EncodersCalibOffset4> {
   static constexpr MessageInfo info{
-      .name = "EncodersCalibOffset4",
-      .command = "CMD_ENCODERS_CALIB_OFFSET_4",
-      .summary = "Calibrate the offsets of the encoders.",
-      .id = 26, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 1,
-      .since = {.board = 30},
+      .name = "EncodersCalibOffset4", .command = "CMD_ENCODERS_CALIB_OFFSET_4",
+      .summary = "Calibrate the offsets of the encoders.", .id = 26,
+      .direction = Direction::to_board, .min_size = 0, .max_size = 1, .since = {.board = 30},
       .effects = Effects(Effect::stores),
       .preparation = "Turn the motors off, and turn the camera by hand to the position in which all motor angles are zero: level, and straight to the frame."};
   static constexpr FieldInfo fields[] = {
@@ -591,12 +550,9 @@ struct Meta<msg::EncodersCalibOffset4> {
 template <>
 struct Meta<msg::EncodersCalibFldOffset4> {
   static constexpr MessageInfo info{
-      .name = "EncodersCalibFldOffset4",
-      .command = "CMD_ENCODERS_CALIB_FLD_OFFSET_4",
-      .summary = "Calibrate the offsets between encoders and the motors' magnetic fields.",
-      .id = 27, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 14,
-      .since = {.board = 30},
+      .name = "EncodersCalibFldOffset4", .command = "CMD_ENCODERS_CALIB_FLD_OFFSET_4",
+      .summary = "Calibrate the offsets between encoders and the motors' magnetic fields.", .id = 27,
+      .direction = Direction::to_board, .min_size = 0, .max_size = 14, .since = {.board = 30},
       .effects = Effects(Effect::stores) | Effect::moves,
       .preparation = "Balance the camera, fasten the frame, and make sure that all axes turn freely: the motors turn the camera back and forth."};
   static constexpr FieldInfo fields[] = {
@@ -626,11 +582,8 @@ struct Meta<msg::EncodersCalibFldOffset4> {
 template <>
 struct Meta<msg::AutoPid> {
   static constexpr MessageInfo info{
-      .name = "AutoPid",
-      .command = "CMD_AUTO_PID",
-      .summary = "Progress of the automatic tuning.",
-      .id = 35, .direction = Direction::from_board,
-      .min_size = 57, .max_size = 57,
+      .name = "AutoPid", .command = "CMD_AUTO_PID", .summary = "Progress of the automatic tuning.",
+      .id = 35, .direction = Direction::from_board, .min_size = 57, .max_size = 57,
       .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "p", .spec_name = "P", .summary = "Proportional gain of each axis."},
@@ -668,14 +621,9 @@ struct Meta<msg::AutoPid> {
 template <>
 struct Meta<msg::AutoPidRequest> {
   static constexpr MessageInfo info{
-      .name = "AutoPidRequest",
-      .command = "CMD_AUTO_PID",
-      .summary = "Start or stop the automatic tuning.",
-      .id = 35, .direction = Direction::to_board,
-      .min_size = 19, .max_size = 19,
-      .since = {.board = 30},
-      .until = {.firmware = 2730}
-,
+      .name = "AutoPidRequest", .command = "CMD_AUTO_PID",
+      .summary = "Start or stop the automatic tuning.", .id = 35, .direction = Direction::to_board,
+      .min_size = 19, .max_size = 19, .since = {.board = 30}, .until = {.firmware = 2730},
       .effects = Effects(Effect::stores) | Effect::moves};
   static constexpr Range profile_id_range{0, 4};
   static constexpr Special cfg_flags_special[] = {
@@ -725,12 +673,9 @@ struct Meta<msg::AutoPidRequest> {
 template <>
 struct Meta<msg::AutoPid2> {
   static constexpr MessageInfo info{
-      .name = "AutoPid2",
-      .command = "CMD_AUTO_PID2",
-      .summary = "Tune the PID controllers automatically, in later firmware.",
-      .id = 108, .direction = Direction::to_board,
-      .min_size = 11, .max_size = 73,
-      .since = {.firmware = 2730},
+      .name = "AutoPid2", .command = "CMD_AUTO_PID2",
+      .summary = "Tune the PID controllers automatically, in later firmware.", .id = 108,
+      .direction = Direction::to_board, .min_size = 11, .max_size = 73, .since = {.firmware = 2730},
       .effects = Effects(Effect::stores) | Effect::moves};
   static constexpr FieldInfo fields[] = {
       {.name = "action", .spec_name = "ACTION", .summary = "Operation."},
@@ -757,12 +702,9 @@ struct Meta<msg::AutoPid2> {
 template <>
 struct Meta<msg::CalibOrientCorr> {
   static constexpr MessageInfo info{
-      .name = "CalibOrientCorr",
-      .command = "CMD_CALIB_ORIENT_CORR",
-      .summary = "Calibrate the orientation of the IMU.",
-      .id = 91, .direction = Direction::to_board,
-      .min_size = 16, .max_size = 16,
-      .since = {.firmware = 2610},
+      .name = "CalibOrientCorr", .command = "CMD_CALIB_ORIENT_CORR",
+      .summary = "Calibrate the orientation of the IMU.", .id = 91, .direction = Direction::to_board,
+      .min_size = 16, .max_size = 16, .since = {.firmware = 2610},
       .effects = Effects(Effect::stores) | Effect::moves,
       .preparation = "Balance the camera, fasten the frame, and make sure that all axes turn freely: the motors turn the camera. Calibrate the gyroscope and the accelerometer first."};
   static constexpr FieldInfo fields[] = {
@@ -781,12 +723,9 @@ struct Meta<msg::CalibOrientCorr> {
 template <>
 struct Meta<msg::CalibCogging> {
   static constexpr MessageInfo info{
-      .name = "CalibCogging",
-      .command = "CMD_CALIB_COGGING",
-      .summary = "Calibrate the cogging of the motors, or delete this calibration.",
-      .id = 93, .direction = Direction::to_board,
-      .min_size = 57, .max_size = 57,
-      .since = {.firmware = 2600},
+      .name = "CalibCogging", .command = "CMD_CALIB_COGGING",
+      .summary = "Calibrate the cogging of the motors, or delete this calibration.", .id = 93,
+      .direction = Direction::to_board, .min_size = 57, .max_size = 57, .since = {.firmware = 2600},
       .effects = Effects(Effect::stores) | Effect::moves | Effect::erases,
       .preparation = "Balance the camera, fasten the frame, and make sure that the chosen axes turn freely: the motors turn the camera slowly, several times."};
   static constexpr Range iterations_num_range{2, 255};
@@ -834,12 +773,9 @@ struct Meta<msg::CalibCogging> {
 template <>
 struct Meta<msg::CalibAccExtRef> {
   static constexpr MessageInfo info{
-      .name = "CalibAccExtRef",
-      .command = "CMD_CALIB_ACC_EXT_REF",
-      .summary = "Calibrate the accelerometer with an external reference.",
-      .id = 94, .direction = Direction::to_board,
-      .min_size = 20, .max_size = 20,
-      .since = {.firmware = 2627},
+      .name = "CalibAccExtRef", .command = "CMD_CALIB_ACC_EXT_REF",
+      .summary = "Calibrate the accelerometer with an external reference.", .id = 94,
+      .direction = Direction::to_board, .min_size = 20, .max_size = 20, .since = {.firmware = 2627},
       .effects = Effects(Effect::stores),
       .preparation = "Leave the camera completely still, and determine the direction of gravity in the coordinates of the sensor with another instrument."};
   static constexpr FieldInfo fields[] = {
@@ -862,12 +798,9 @@ struct Meta<msg::CalibAccExtRef> {
 template <>
 struct Meta<msg::BodeTestStartStop> {
   static constexpr MessageInfo info{
-      .name = "BodeTestStartStop",
-      .command = "CMD_BODE_TEST_START_STOP",
-      .summary = "End of the recording.",
-      .id = 37, .direction = Direction::from_board,
-      .min_size = 22, .max_size = 22,
-      .since = {.firmware = 2500, .board = 30, .features = 0x08}};
+      .name = "BodeTestStartStop", .command = "CMD_BODE_TEST_START_STOP",
+      .summary = "End of the recording.", .id = 37, .direction = Direction::from_board,
+      .min_size = 22, .max_size = 22, .since = {.firmware = 2500, .board = 30, .features = 0x08}};
   static constexpr Special error_code_special[] = {
       {0, "success"},
   };
@@ -900,13 +833,10 @@ template <>
 struct Meta<msg::BodeTestStartStopRequest> {
   static constexpr const char* answers[] = {"BodeTestStartStop"};
   static constexpr MessageInfo info{
-      .name = "BodeTestStartStopRequest",
-      .command = "CMD_BODE_TEST_START_STOP",
-      .summary = "Start the recording of a frequency response.",
-      .id = 37, .direction = Direction::to_board,
-      .min_size = 30, .max_size = 30,
-      .since = {.firmware = 2500, .board = 30, .features = 0x08},
-      .answers = answers,
+      .name = "BodeTestStartStopRequest", .command = "CMD_BODE_TEST_START_STOP",
+      .summary = "Start the recording of a frequency response.", .id = 37,
+      .direction = Direction::to_board, .min_size = 30, .max_size = 30,
+      .since = {.firmware = 2500, .board = 30, .features = 0x08}, .answers = answers,
       .effects = Effects(Effect::moves)};
   static constexpr Range stimulus_gain_range{1, 65535};
   static constexpr Range mode_range{0, 0};
@@ -959,12 +889,9 @@ struct Meta<msg::BodeTestStartStopRequest> {
 template <>
 struct Meta<msg::BodeTestData> {
   static constexpr MessageInfo info{
-      .name = "BodeTestData",
-      .command = "CMD_BODE_TEST_DATA",
-      .summary = "Samples of a recording that runs.",
-      .id = 38, .direction = Direction::from_board,
-      .min_size = 17, .max_size = 97,
-      .since = {.firmware = 2500, .board = 30, .features = 0x08}};
+      .name = "BodeTestData", .command = "CMD_BODE_TEST_DATA",
+      .summary = "Samples of a recording that runs.", .id = 38, .direction = Direction::from_board,
+      .min_size = 17, .max_size = 97, .since = {.firmware = 2500, .board = 30, .features = 0x08}};
   static constexpr FieldInfo fields[] = {
       {.name = "sample_counter", .spec_name = "SAMPLE_COUNTER",
        .summary = "Index of the first sample, modulo 256; the next message begins where this one ends, unless samples are lost."},
@@ -996,12 +923,9 @@ struct Meta<msg::BodeTestData> {
 template <>
 struct Meta<msg::CoggingCalibInfo> {
   static constexpr MessageInfo info{
-      .name = "CoggingCalibInfo",
-      .command = "CMD_COGGING_CALIB_INFO",
-      .summary = "Undocumented body from the board.",
-      .id = 92, .direction = Direction::from_board,
-      .min_size = 0, .max_size = 255,
-      .since = {.firmware = 2600}};
+      .name = "CoggingCalibInfo", .command = "CMD_COGGING_CALIB_INFO",
+      .summary = "Undocumented body from the board.", .id = 92, .direction = Direction::from_board,
+      .min_size = 0, .max_size = 255, .since = {.firmware = 2600}};
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
@@ -1017,12 +941,9 @@ struct Meta<msg::CoggingCalibInfo> {
 template <>
 struct Meta<msg::CoggingCalibInfoRequest> {
   static constexpr MessageInfo info{
-      .name = "CoggingCalibInfoRequest",
-      .command = "CMD_COGGING_CALIB_INFO",
-      .summary = "Undocumented body to the board.",
-      .id = 92, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 255,
-      .since = {.firmware = 2600},
+      .name = "CoggingCalibInfoRequest", .command = "CMD_COGGING_CALIB_INFO",
+      .summary = "Undocumented body to the board.", .id = 92, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 255, .since = {.firmware = 2600},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
@@ -1039,12 +960,9 @@ struct Meta<msg::CoggingCalibInfoRequest> {
 template <>
 struct Meta<msg::CanDrvHardParams> {
   static constexpr MessageInfo info{
-      .name = "CanDrvHardParams",
-      .command = "CMD_CAN_DRV_HARD_PARAMS",
-      .summary = "Undocumented body from the board.",
-      .id = 97, .direction = Direction::from_board,
-      .min_size = 0, .max_size = 255,
-      .since = {.firmware = 2600}};
+      .name = "CanDrvHardParams", .command = "CMD_CAN_DRV_HARD_PARAMS",
+      .summary = "Undocumented body from the board.", .id = 97, .direction = Direction::from_board,
+      .min_size = 0, .max_size = 255, .since = {.firmware = 2600}};
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
@@ -1060,12 +978,9 @@ struct Meta<msg::CanDrvHardParams> {
 template <>
 struct Meta<msg::CanDrvHardParamsRequest> {
   static constexpr MessageInfo info{
-      .name = "CanDrvHardParamsRequest",
-      .command = "CMD_CAN_DRV_HARD_PARAMS",
-      .summary = "Undocumented body to the board.",
-      .id = 97, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 255,
-      .since = {.firmware = 2600},
+      .name = "CanDrvHardParamsRequest", .command = "CMD_CAN_DRV_HARD_PARAMS",
+      .summary = "Undocumented body to the board.", .id = 97, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 255, .since = {.firmware = 2600},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
@@ -1082,12 +997,9 @@ struct Meta<msg::CanDrvHardParamsRequest> {
 template <>
 struct Meta<msg::CanDrvCalibrate> {
   static constexpr MessageInfo info{
-      .name = "CanDrvCalibrate",
-      .command = "CMD_CAN_DRV_CALIBRATE",
-      .summary = "Undocumented body from the board.",
-      .id = 99, .direction = Direction::from_board,
-      .min_size = 0, .max_size = 255,
-      .since = {.firmware = 2600}};
+      .name = "CanDrvCalibrate", .command = "CMD_CAN_DRV_CALIBRATE",
+      .summary = "Undocumented body from the board.", .id = 99, .direction = Direction::from_board,
+      .min_size = 0, .max_size = 255, .since = {.firmware = 2600}};
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
@@ -1103,12 +1015,9 @@ struct Meta<msg::CanDrvCalibrate> {
 template <>
 struct Meta<msg::CanDrvCalibrateRequest> {
   static constexpr MessageInfo info{
-      .name = "CanDrvCalibrateRequest",
-      .command = "CMD_CAN_DRV_CALIBRATE",
-      .summary = "Undocumented body to the board.",
-      .id = 99, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 255,
-      .since = {.firmware = 2600},
+      .name = "CanDrvCalibrateRequest", .command = "CMD_CAN_DRV_CALIBRATE",
+      .summary = "Undocumented body to the board.", .id = 99, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 255, .since = {.firmware = 2600},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
@@ -1125,12 +1034,9 @@ struct Meta<msg::CanDrvCalibrateRequest> {
 template <>
 struct Meta<msg::CalibEncoderLut> {
   static constexpr MessageInfo info{
-      .name = "CalibEncoderLut",
-      .command = "CMD_CALIB_ENCODER_LUT",
-      .summary = "Undocumented body from the board.",
-      .id = 117, .direction = Direction::from_board,
-      .min_size = 0, .max_size = 255,
-      .since = {.firmware = 2600}};
+      .name = "CalibEncoderLut", .command = "CMD_CALIB_ENCODER_LUT",
+      .summary = "Undocumented body from the board.", .id = 117, .direction = Direction::from_board,
+      .min_size = 0, .max_size = 255, .since = {.firmware = 2600}};
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
@@ -1146,12 +1052,9 @@ struct Meta<msg::CalibEncoderLut> {
 template <>
 struct Meta<msg::CalibEncoderLutRequest> {
   static constexpr MessageInfo info{
-      .name = "CalibEncoderLutRequest",
-      .command = "CMD_CALIB_ENCODER_LUT",
-      .summary = "Undocumented body to the board.",
-      .id = 117, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 255,
-      .since = {.firmware = 2600},
+      .name = "CalibEncoderLutRequest", .command = "CMD_CALIB_ENCODER_LUT",
+      .summary = "Undocumented body to the board.", .id = 117, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 255, .since = {.firmware = 2600},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
@@ -1168,12 +1071,9 @@ struct Meta<msg::CalibEncoderLutRequest> {
 template <>
 struct Meta<msg::CalibEncoderLutRes> {
   static constexpr MessageInfo info{
-      .name = "CalibEncoderLutRes",
-      .command = "CMD_CALIB_ENCODER_LUT_RES",
-      .summary = "Undocumented body from the board.",
-      .id = 118, .direction = Direction::from_board,
-      .min_size = 0, .max_size = 255,
-      .since = {.firmware = 2600}};
+      .name = "CalibEncoderLutRes", .command = "CMD_CALIB_ENCODER_LUT_RES",
+      .summary = "Undocumented body from the board.", .id = 118, .direction = Direction::from_board,
+      .min_size = 0, .max_size = 255, .since = {.firmware = 2600}};
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
@@ -1189,12 +1089,9 @@ struct Meta<msg::CalibEncoderLutRes> {
 template <>
 struct Meta<msg::CalibEncoderLutResRequest> {
   static constexpr MessageInfo info{
-      .name = "CalibEncoderLutResRequest",
-      .command = "CMD_CALIB_ENCODER_LUT_RES",
-      .summary = "Undocumented body to the board.",
-      .id = 118, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 255,
-      .since = {.firmware = 2600},
+      .name = "CalibEncoderLutResRequest", .command = "CMD_CALIB_ENCODER_LUT_RES",
+      .summary = "Undocumented body to the board.", .id = 118, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 255, .since = {.firmware = 2600},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
@@ -1211,12 +1108,9 @@ struct Meta<msg::CalibEncoderLutResRequest> {
 template <>
 struct Meta<msg::CalibCurSens> {
   static constexpr MessageInfo info{
-      .name = "CalibCurSens",
-      .command = "CMD_CALIB_CUR_SENS",
-      .summary = "Undocumented body from the board.",
-      .id = 120, .direction = Direction::from_board,
-      .min_size = 0, .max_size = 255,
-      .since = {.firmware = 2600}};
+      .name = "CalibCurSens", .command = "CMD_CALIB_CUR_SENS",
+      .summary = "Undocumented body from the board.", .id = 120, .direction = Direction::from_board,
+      .min_size = 0, .max_size = 255, .since = {.firmware = 2600}};
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
@@ -1232,12 +1126,9 @@ struct Meta<msg::CalibCurSens> {
 template <>
 struct Meta<msg::CalibCurSensRequest> {
   static constexpr MessageInfo info{
-      .name = "CalibCurSensRequest",
-      .command = "CMD_CALIB_CUR_SENS",
-      .summary = "Undocumented body to the board.",
-      .id = 120, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 255,
-      .since = {.firmware = 2600},
+      .name = "CalibCurSensRequest", .command = "CMD_CALIB_CUR_SENS",
+      .summary = "Undocumented body to the board.", .id = 120, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 255, .since = {.firmware = 2600},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
@@ -1254,13 +1145,9 @@ struct Meta<msg::CalibCurSensRequest> {
 template <>
 struct Meta<msg::EncIntCalib> {
   static constexpr MessageInfo info{
-      .name = "EncIntCalib",
-      .command = "CMD_ENC_INT_CALIB",
-      .summary = "Undocumented body from the board.",
-      .id = 122, .direction = Direction::from_board,
-      .min_size = 0, .max_size = 255,
-      .since = {.firmware = 2600},
-      .unconfirmed = true};
+      .name = "EncIntCalib", .command = "CMD_ENC_INT_CALIB",
+      .summary = "Undocumented body from the board.", .id = 122, .direction = Direction::from_board,
+      .min_size = 0, .max_size = 255, .since = {.firmware = 2600}, .unconfirmed = true};
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
@@ -1276,13 +1163,9 @@ struct Meta<msg::EncIntCalib> {
 template <>
 struct Meta<msg::EncIntCalibRequest> {
   static constexpr MessageInfo info{
-      .name = "EncIntCalibRequest",
-      .command = "CMD_ENC_INT_CALIB",
-      .summary = "Undocumented body to the board.",
-      .id = 122, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 255,
-      .since = {.firmware = 2600},
-      .unconfirmed = true,
+      .name = "EncIntCalibRequest", .command = "CMD_ENC_INT_CALIB",
+      .summary = "Undocumented body to the board.", .id = 122, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 255, .since = {.firmware = 2600}, .unconfirmed = true,
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
@@ -1299,13 +1182,9 @@ struct Meta<msg::EncIntCalibRequest> {
 template <>
 struct Meta<msg::VibrationTestStartStop> {
   static constexpr MessageInfo info{
-      .name = "VibrationTestStartStop",
-      .command = "CMD_VIBRATION_TEST_START_STOP",
-      .summary = "Undocumented body from the board.",
-      .id = 125, .direction = Direction::from_board,
-      .min_size = 0, .max_size = 255,
-      .since = {.firmware = 2600},
-      .unconfirmed = true};
+      .name = "VibrationTestStartStop", .command = "CMD_VIBRATION_TEST_START_STOP",
+      .summary = "Undocumented body from the board.", .id = 125, .direction = Direction::from_board,
+      .min_size = 0, .max_size = 255, .since = {.firmware = 2600}, .unconfirmed = true};
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
@@ -1321,13 +1200,9 @@ struct Meta<msg::VibrationTestStartStop> {
 template <>
 struct Meta<msg::VibrationTestStartStopRequest> {
   static constexpr MessageInfo info{
-      .name = "VibrationTestStartStopRequest",
-      .command = "CMD_VIBRATION_TEST_START_STOP",
-      .summary = "Undocumented body to the board.",
-      .id = 125, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 255,
-      .since = {.firmware = 2600},
-      .unconfirmed = true,
+      .name = "VibrationTestStartStopRequest", .command = "CMD_VIBRATION_TEST_START_STOP",
+      .summary = "Undocumented body to the board.", .id = 125, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 255, .since = {.firmware = 2600}, .unconfirmed = true,
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
@@ -1344,13 +1219,9 @@ struct Meta<msg::VibrationTestStartStopRequest> {
 template <>
 struct Meta<msg::VibrationTestData> {
   static constexpr MessageInfo info{
-      .name = "VibrationTestData",
-      .command = "CMD_VIBRATION_TEST_DATA",
-      .summary = "Undocumented body from the board.",
-      .id = 126, .direction = Direction::from_board,
-      .min_size = 0, .max_size = 255,
-      .since = {.firmware = 2600},
-      .unconfirmed = true};
+      .name = "VibrationTestData", .command = "CMD_VIBRATION_TEST_DATA",
+      .summary = "Undocumented body from the board.", .id = 126, .direction = Direction::from_board,
+      .min_size = 0, .max_size = 255, .since = {.firmware = 2600}, .unconfirmed = true};
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
@@ -1366,13 +1237,9 @@ struct Meta<msg::VibrationTestData> {
 template <>
 struct Meta<msg::VibrationTestDataRequest> {
   static constexpr MessageInfo info{
-      .name = "VibrationTestDataRequest",
-      .command = "CMD_VIBRATION_TEST_DATA",
-      .summary = "Undocumented body to the board.",
-      .id = 126, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 255,
-      .since = {.firmware = 2600},
-      .unconfirmed = true,
+      .name = "VibrationTestDataRequest", .command = "CMD_VIBRATION_TEST_DATA",
+      .summary = "Undocumented body to the board.", .id = 126, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 255, .since = {.firmware = 2600}, .unconfirmed = true,
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},

@@ -192,11 +192,9 @@ struct Meta<msg::AxisStateExt> {
 template <>
 struct Meta<msg::Control> {
   static constexpr MessageInfo info{
-      .name = "Control",
-      .command = "CMD_CONTROL",
-      .summary = "Move the camera, with one mode for all axes.",
-      .id = 67, .direction = Direction::to_board,
-      .min_size = 13, .max_size = 13,
+      .name = "Control", .command = "CMD_CONTROL",
+      .summary = "Move the camera, with one mode for all axes.", .id = 67,
+      .direction = Direction::to_board, .min_size = 13, .max_size = 13,
       .effects = Effects(Effect::moves)};
   static constexpr FieldInfo fields[] = {
       {.name = "control_mode", .spec_name = "CONTROL_MODE", .summary = "Mode of all three axes."},
@@ -216,12 +214,9 @@ struct Meta<msg::Control> {
 template <>
 struct Meta<msg::ControlExt> {
   static constexpr MessageInfo info{
-      .name = "ControlExt",
-      .command = "CMD_CONTROL",
-      .summary = "Move the camera, with a mode for each axis.",
-      .id = 67, .direction = Direction::to_board,
-      .min_size = 15, .max_size = 15,
-      .since = {.firmware = 2555},
+      .name = "ControlExt", .command = "CMD_CONTROL",
+      .summary = "Move the camera, with a mode for each axis.", .id = 67,
+      .direction = Direction::to_board, .min_size = 15, .max_size = 15, .since = {.firmware = 2555},
       .effects = Effects(Effect::moves)};
   static constexpr FieldInfo fields[] = {
       {.name = "control_mode", .spec_name = "CONTROL_MODE_{AXIS}", .summary = "Mode of each axis."},
@@ -241,12 +236,9 @@ struct Meta<msg::ControlExt> {
 template <>
 struct Meta<msg::ControlExtCommand> {
   static constexpr MessageInfo info{
-      .name = "ControlExtCommand",
-      .command = "CMD_CONTROL_EXT",
-      .summary = "Move the camera, with the data that each axis needs.",
-      .id = 121, .direction = Direction::to_board,
-      .min_size = 2, .max_size = 32,
-      .since = {.firmware = 2680},
+      .name = "ControlExtCommand", .command = "CMD_CONTROL_EXT",
+      .summary = "Move the camera, with the data that each axis needs.", .id = 121,
+      .direction = Direction::to_board, .min_size = 2, .max_size = 32, .since = {.firmware = 2680},
       .effects = Effects(Effect::moves)};
   static constexpr FieldInfo fields[] = {
       {.name = "data_set", .spec_name = "DATA_SET",
@@ -267,12 +259,9 @@ struct Meta<msg::ControlExtCommand> {
 template <>
 struct Meta<msg::ControlConfig> {
   static constexpr MessageInfo info{
-      .name = "ControlConfig",
-      .command = "CMD_CONTROL_CONFIG",
-      .summary = "Configure serial control until the next start.",
-      .id = 90, .direction = Direction::to_board,
-      .min_size = 41, .max_size = 41,
-      .since = {.firmware = 2610},
+      .name = "ControlConfig", .command = "CMD_CONTROL_CONFIG",
+      .summary = "Configure serial control until the next start.", .id = 90,
+      .direction = Direction::to_board, .min_size = 41, .max_size = 41, .since = {.firmware = 2610},
       .effects = Effects(Effect::sets) | Effect::moves};
   static constexpr Special timeout_ms_special[] = {
       {0, "no timeout"},
@@ -331,12 +320,9 @@ struct Meta<msg::ControlConfig> {
 template <>
 struct Meta<msg::ControlQuatDisabled> {
   static constexpr MessageInfo info{
-      .name = "ControlQuatDisabled",
-      .command = "CMD_CONTROL_QUAT",
-      .summary = "End control with quaternions.",
-      .id = 140, .direction = Direction::to_board,
-      .min_size = 2, .max_size = 2,
-      .since = {.firmware = 2730, .features = 0x800000000},
+      .name = "ControlQuatDisabled", .command = "CMD_CONTROL_QUAT",
+      .summary = "End control with quaternions.", .id = 140, .direction = Direction::to_board,
+      .min_size = 2, .max_size = 2, .since = {.firmware = 2730, .features = 0x800000000},
       .effects = Effects(Effect::moves)};
   static constexpr Range mode_range{0, 0};
   static constexpr FieldInfo fields[] = {
@@ -357,12 +343,9 @@ struct Meta<msg::ControlQuatDisabled> {
 template <>
 struct Meta<msg::ControlQuatSpeed> {
   static constexpr MessageInfo info{
-      .name = "ControlQuatSpeed",
-      .command = "CMD_CONTROL_QUAT",
-      .summary = "Turn the camera at a speed.",
-      .id = 140, .direction = Direction::to_board,
-      .min_size = 14, .max_size = 14,
-      .since = {.firmware = 2730, .features = 0x800000000},
+      .name = "ControlQuatSpeed", .command = "CMD_CONTROL_QUAT",
+      .summary = "Turn the camera at a speed.", .id = 140, .direction = Direction::to_board,
+      .min_size = 14, .max_size = 14, .since = {.firmware = 2730, .features = 0x800000000},
       .effects = Effects(Effect::moves)};
   static constexpr FieldInfo fields[] = {
       {.name = "mode", .spec_name = "MODE", .summary = "SPEED or SPEED_LIMITED."},
@@ -387,12 +370,9 @@ struct Meta<msg::ControlQuatSpeed> {
 template <>
 struct Meta<msg::ControlQuatAttitude> {
   static constexpr MessageInfo info{
-      .name = "ControlQuatAttitude",
-      .command = "CMD_CONTROL_QUAT",
-      .summary = "Turn the camera to an attitude.",
-      .id = 140, .direction = Direction::to_board,
-      .min_size = 18, .max_size = 18,
-      .since = {.firmware = 2730, .features = 0x800000000},
+      .name = "ControlQuatAttitude", .command = "CMD_CONTROL_QUAT",
+      .summary = "Turn the camera to an attitude.", .id = 140, .direction = Direction::to_board,
+      .min_size = 18, .max_size = 18, .since = {.firmware = 2730, .features = 0x800000000},
       .effects = Effects(Effect::moves)};
   static constexpr Range mode_range{2, 2};
   static constexpr Range target_attitude_range{-1, 1};
@@ -418,13 +398,10 @@ struct Meta<msg::ControlQuatAttitude> {
 template <>
 struct Meta<msg::ControlQuatAttitudePacked> {
   static constexpr MessageInfo info{
-      .name = "ControlQuatAttitudePacked",
-      .command = "CMD_CONTROL_QUAT",
-      .summary = "Turn the camera to an attitude, packed.",
-      .id = 140, .direction = Direction::to_board,
-      .min_size = 10, .max_size = 10,
-      .since = {.firmware = 2730, .features = 0x800000000},
-      .effects = Effects(Effect::moves)};
+      .name = "ControlQuatAttitudePacked", .command = "CMD_CONTROL_QUAT",
+      .summary = "Turn the camera to an attitude, packed.", .id = 140,
+      .direction = Direction::to_board, .min_size = 10, .max_size = 10,
+      .since = {.firmware = 2730, .features = 0x800000000}, .effects = Effects(Effect::moves)};
   static constexpr Range mode_range{2, 2};
   static constexpr FieldInfo fields[] = {
       {.name = "mode", .spec_name = "MODE", .summary = "Always ATTITUDE.", .range = &mode_range},
@@ -447,13 +424,10 @@ struct Meta<msg::ControlQuatAttitudePacked> {
 template <>
 struct Meta<msg::ControlQuatSpeedAttitude> {
   static constexpr MessageInfo info{
-      .name = "ControlQuatSpeedAttitude",
-      .command = "CMD_CONTROL_QUAT",
-      .summary = "Turn the camera at a speed and hold it to an attitude.",
-      .id = 140, .direction = Direction::to_board,
-      .min_size = 30, .max_size = 30,
-      .since = {.firmware = 2730, .features = 0x800000000},
-      .effects = Effects(Effect::moves)};
+      .name = "ControlQuatSpeedAttitude", .command = "CMD_CONTROL_QUAT",
+      .summary = "Turn the camera at a speed and hold it to an attitude.", .id = 140,
+      .direction = Direction::to_board, .min_size = 30, .max_size = 30,
+      .since = {.firmware = 2730, .features = 0x800000000}, .effects = Effects(Effect::moves)};
   static constexpr Range mode_range{5, 5};
   static constexpr Range target_attitude_range{-1, 1};
   static constexpr FieldInfo fields[] = {
@@ -484,13 +458,10 @@ struct Meta<msg::ControlQuatSpeedAttitude> {
 template <>
 struct Meta<msg::ControlQuatSpeedAttitudePacked> {
   static constexpr MessageInfo info{
-      .name = "ControlQuatSpeedAttitudePacked",
-      .command = "CMD_CONTROL_QUAT",
-      .summary = "Turn the camera at a speed and hold it to an attitude, packed.",
-      .id = 140, .direction = Direction::to_board,
-      .min_size = 22, .max_size = 22,
-      .since = {.firmware = 2730, .features = 0x800000000},
-      .effects = Effects(Effect::moves)};
+      .name = "ControlQuatSpeedAttitudePacked", .command = "CMD_CONTROL_QUAT",
+      .summary = "Turn the camera at a speed and hold it to an attitude, packed.", .id = 140,
+      .direction = Direction::to_board, .min_size = 22, .max_size = 22,
+      .since = {.firmware = 2730, .features = 0x800000000}, .effects = Effects(Effect::moves)};
   static constexpr Range mode_range{5, 5};
   static constexpr FieldInfo fields[] = {
       {.name = "mode", .spec_name = "MODE", .summary = "Always SPEED_ATTITUDE.",
@@ -519,11 +490,9 @@ struct Meta<msg::ControlQuatSpeedAttitudePacked> {
 template <>
 struct Meta<msg::ControlQuatStatus> {
   static constexpr MessageInfo info{
-      .name = "ControlQuatStatus",
-      .command = "CMD_CONTROL_QUAT_STATUS",
-      .summary = "State of the control with quaternions.",
-      .id = 141, .direction = Direction::from_board,
-      .min_size = 2, .max_size = 97,
+      .name = "ControlQuatStatus", .command = "CMD_CONTROL_QUAT_STATUS",
+      .summary = "State of the control with quaternions.", .id = 141,
+      .direction = Direction::from_board, .min_size = 2, .max_size = 97,
       .since = {.firmware = 2730, .features = 0x800000000}};
   static constexpr Range target_attitude_range{-1, 1};
   static constexpr Range setpoint_attitude_range{-1, 1};
@@ -594,13 +563,10 @@ template <>
 struct Meta<msg::ControlQuatStatusRequest> {
   static constexpr const char* answers[] = {"ControlQuatStatus"};
   static constexpr MessageInfo info{
-      .name = "ControlQuatStatusRequest",
-      .command = "CMD_CONTROL_QUAT_STATUS",
-      .summary = "Request the state of the control with quaternions.",
-      .id = 141, .direction = Direction::to_board,
-      .min_size = 4, .max_size = 4,
-      .since = {.firmware = 2730, .features = 0x800000000},
-      .answers = answers,
+      .name = "ControlQuatStatusRequest", .command = "CMD_CONTROL_QUAT_STATUS",
+      .summary = "Request the state of the control with quaternions.", .id = 141,
+      .direction = Direction::to_board, .min_size = 4, .max_size = 4,
+      .since = {.firmware = 2730, .features = 0x800000000}, .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr FieldInfo fields[] = {
       {.name = "data_set", .spec_name = "DATA_SET",
@@ -622,13 +588,10 @@ struct Meta<msg::ControlQuatStatusRequest> {
 template <>
 struct Meta<msg::ControlQuatConfig> {
   static constexpr MessageInfo info{
-      .name = "ControlQuatConfig",
-      .command = "CMD_CONTROL_QUAT_CONFIG",
-      .summary = "Configure the control with quaternions.",
-      .id = 142, .direction = Direction::to_board,
-      .min_size = 2, .max_size = 24,
-      .since = {.firmware = 2730, .features = 0x800000000},
-      .effects = Effects(Effect::sets)};
+      .name = "ControlQuatConfig", .command = "CMD_CONTROL_QUAT_CONFIG",
+      .summary = "Configure the control with quaternions.", .id = 142,
+      .direction = Direction::to_board, .min_size = 2, .max_size = 24,
+      .since = {.firmware = 2730, .features = 0x800000000}, .effects = Effects(Effect::sets)};
   static constexpr Range acc_limit_range{1, 65535};
   static constexpr Special acc_limit_special[] = {
       {0, "no limit"},
@@ -689,11 +652,8 @@ struct Meta<msg::ControlQuatConfig> {
 template <>
 struct Meta<msg::GetAngles> {
   static constexpr MessageInfo info{
-      .name = "GetAngles",
-      .command = "CMD_GET_ANGLES",
-      .summary = "Camera angles and targets.",
-      .id = 73, .direction = Direction::from_board,
-      .min_size = 18, .max_size = 18};
+      .name = "GetAngles", .command = "CMD_GET_ANGLES", .summary = "Camera angles and targets.",
+      .id = 73, .direction = Direction::from_board, .min_size = 18, .max_size = 18};
   static constexpr FieldInfo fields[] = {
       {.name = "axes", .spec_name = "axes", .summary = "State of each axis."},
   };
@@ -711,13 +671,9 @@ template <>
 struct Meta<msg::GetAnglesRequest> {
   static constexpr const char* answers[] = {"GetAngles"};
   static constexpr MessageInfo info{
-      .name = "GetAnglesRequest",
-      .command = "CMD_GET_ANGLES",
-      .summary = "Request camera angles and targets.",
-      .id = 73, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 0,
-      .answers = answers,
-      .effects = Effects(Effect::reads)};
+      .name = "GetAnglesRequest", .command = "CMD_GET_ANGLES",
+      .summary = "Request camera angles and targets.", .id = 73, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 0, .answers = answers, .effects = Effects(Effect::reads)};
 
   static constexpr void visit(auto&, auto&&) {
   }
@@ -726,12 +682,9 @@ struct Meta<msg::GetAnglesRequest> {
 template <>
 struct Meta<msg::GetAnglesExt> {
   static constexpr MessageInfo info{
-      .name = "GetAnglesExt",
-      .command = "CMD_GET_ANGLES_EXT",
-      .summary = "Camera angles, targets and joint angles.",
-      .id = 61, .direction = Direction::from_board,
-      .min_size = 54, .max_size = 54,
-      .since = {.board = 30}};
+      .name = "GetAnglesExt", .command = "CMD_GET_ANGLES_EXT",
+      .summary = "Camera angles, targets and joint angles.", .id = 61,
+      .direction = Direction::from_board, .min_size = 54, .max_size = 54, .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "axes", .spec_name = "axes", .summary = "State of each axis."},
   };
@@ -749,14 +702,10 @@ template <>
 struct Meta<msg::GetAnglesExtRequest> {
   static constexpr const char* answers[] = {"GetAnglesExt"};
   static constexpr MessageInfo info{
-      .name = "GetAnglesExtRequest",
-      .command = "CMD_GET_ANGLES_EXT",
-      .summary = "Request angles, targets and joint angles.",
-      .id = 61, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 0,
-      .since = {.board = 30},
-      .answers = answers,
-      .effects = Effects(Effect::reads)};
+      .name = "GetAnglesExtRequest", .command = "CMD_GET_ANGLES_EXT",
+      .summary = "Request angles, targets and joint angles.", .id = 61,
+      .direction = Direction::to_board, .min_size = 0, .max_size = 0, .since = {.board = 30},
+      .answers = answers, .effects = Effects(Effect::reads)};
 
   static constexpr void visit(auto&, auto&&) {
   }
@@ -765,11 +714,8 @@ struct Meta<msg::GetAnglesExtRequest> {
 template <>
 struct Meta<msg::MotorsOn> {
   static constexpr MessageInfo info{
-      .name = "MotorsOn",
-      .command = "CMD_MOTORS_ON",
-      .summary = "Turn the motors on.",
-      .id = 77, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 0,
+      .name = "MotorsOn", .command = "CMD_MOTORS_ON", .summary = "Turn the motors on.", .id = 77,
+      .direction = Direction::to_board, .min_size = 0, .max_size = 0,
       .effects = Effects(Effect::moves)};
 
   static constexpr void visit(auto&, auto&&) {
@@ -779,11 +725,8 @@ struct Meta<msg::MotorsOn> {
 template <>
 struct Meta<msg::MotorsOff> {
   static constexpr MessageInfo info{
-      .name = "MotorsOff",
-      .command = "CMD_MOTORS_OFF",
-      .summary = "Turn the motors off.",
-      .id = 109, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 0,
+      .name = "MotorsOff", .command = "CMD_MOTORS_OFF", .summary = "Turn the motors off.", .id = 109,
+      .direction = Direction::to_board, .min_size = 0, .max_size = 0,
       .effects = Effects(Effect::moves)};
 
   static constexpr void visit(auto&, auto&&) {
@@ -793,12 +736,9 @@ struct Meta<msg::MotorsOff> {
 template <>
 struct Meta<msg::MotorsOffExt> {
   static constexpr MessageInfo info{
-      .name = "MotorsOffExt",
-      .command = "CMD_MOTORS_OFF",
-      .summary = "Turn the motors off, in one of several ways.",
-      .id = 109, .direction = Direction::to_board,
-      .min_size = 1, .max_size = 1,
-      .since = {.firmware = 2687},
+      .name = "MotorsOffExt", .command = "CMD_MOTORS_OFF",
+      .summary = "Turn the motors off, in one of several ways.", .id = 109,
+      .direction = Direction::to_board, .min_size = 1, .max_size = 1, .since = {.firmware = 2687},
       .effects = Effects(Effect::moves)};
   static constexpr FieldInfo fields[] = {
       {.name = "mode", .spec_name = "MODE", .summary = "How to turn them off."},
@@ -815,13 +755,10 @@ struct Meta<msg::MotorsOffExt> {
 template <>
 struct Meta<msg::SyncMotors> {
   static constexpr MessageInfo info{
-      .name = "SyncMotors",
-      .command = "CMD_SYNC_MOTORS",
+      .name = "SyncMotors", .command = "CMD_SYNC_MOTORS",
       .summary = "Power one motor as a synchronous motor for some time, then turn the motors off.",
-      .id = 123, .direction = Direction::to_board,
-      .min_size = 6, .max_size = 6,
-      .since = {.firmware = 2709},
-      .effects = Effects(Effect::moves)};
+      .id = 123, .direction = Direction::to_board, .min_size = 6, .max_size = 6,
+      .since = {.firmware = 2709}, .effects = Effects(Effect::moves)};
   static constexpr Range power_range{0, 255};
   static constexpr Special angle_special[] = {
       {0, "the motor holds its position"},
@@ -852,11 +789,9 @@ struct Meta<msg::SyncMotors> {
 template <>
 struct Meta<msg::Event> {
   static constexpr MessageInfo info{
-      .name = "Event",
-      .command = "CMD_EVENT",
+      .name = "Event", .command = "CMD_EVENT",
       .summary = "An event, if the host has requested such events with CMD_DATA_STREAM_INTERVAL.",
-      .id = 102, .direction = Direction::from_board,
-      .min_size = 4, .max_size = 4,
+      .id = 102, .direction = Direction::from_board, .min_size = 4, .max_size = 4,
       .since = {.firmware = 2657}};
   static constexpr FieldInfo fields[] = {
       {.name = "event_id", .spec_name = "EVENT_ID", .summary = "What has happened."},
@@ -880,11 +815,8 @@ struct Meta<msg::Event> {
 template <>
 struct Meta<msg::ExecuteMenu> {
   static constexpr MessageInfo info{
-      .name = "ExecuteMenu",
-      .command = "CMD_EXECUTE_MENU",
-      .summary = "Execute a menu action.",
-      .id = 69, .direction = Direction::to_board,
-      .min_size = 1, .max_size = 1,
+      .name = "ExecuteMenu", .command = "CMD_EXECUTE_MENU", .summary = "Execute a menu action.",
+      .id = 69, .direction = Direction::to_board, .min_size = 1, .max_size = 1,
       .effects = Effects(Effect::sets) | Effect::stores | Effect::moves | Effect::restarts};
   static constexpr FieldInfo fields[] = {
       {.name = "cmd_id", .spec_name = "CMD_ID", .summary = "Which action."},
@@ -901,12 +833,9 @@ struct Meta<msg::ExecuteMenu> {
 template <>
 struct Meta<msg::ExecuteMenuExt> {
   static constexpr MessageInfo info{
-      .name = "ExecuteMenuExt",
-      .command = "CMD_EXECUTE_MENU",
-      .summary = "Execute a menu action and say when to confirm it.",
-      .id = 69, .direction = Direction::to_board,
-      .min_size = 2, .max_size = 2,
-      .since = {.firmware = 2738},
+      .name = "ExecuteMenuExt", .command = "CMD_EXECUTE_MENU",
+      .summary = "Execute a menu action and say when to confirm it.", .id = 69,
+      .direction = Direction::to_board, .min_size = 2, .max_size = 2, .since = {.firmware = 2738},
       .effects = Effects(Effect::sets) | Effect::stores | Effect::moves | Effect::restarts};
   static constexpr FieldInfo fields[] = {
       {.name = "cmd_id", .spec_name = "CMD_ID", .summary = "Which action."},
@@ -926,11 +855,9 @@ struct Meta<msg::ExecuteMenuExt> {
 template <>
 struct Meta<msg::HelperData> {
   static constexpr MessageInfo info{
-      .name = "HelperData",
-      .command = "CMD_HELPER_DATA",
-      .summary = "Report acceleration and tilt of the frame to the board.",
-      .id = 72, .direction = Direction::to_board,
-      .min_size = 10, .max_size = 10,
+      .name = "HelperData", .command = "CMD_HELPER_DATA",
+      .summary = "Report acceleration and tilt of the frame to the board.", .id = 72,
+      .direction = Direction::to_board, .min_size = 10, .max_size = 10,
       .effects = Effects(Effect::moves)};
   static constexpr Range frame_angle_roll_range{-32768, 32767};
   static constexpr Special frame_angle_roll_special[] = {
@@ -969,12 +896,9 @@ struct Meta<msg::HelperData> {
 template <>
 struct Meta<msg::HelperDataExt> {
   static constexpr MessageInfo info{
-      .name = "HelperDataExt",
-      .command = "CMD_HELPER_DATA",
-      .summary = "Report acceleration, tilt and rotation of the frame to the board.",
-      .id = 72, .direction = Direction::to_board,
-      .min_size = 20, .max_size = 20,
-      .since = {.firmware = 2590},
+      .name = "HelperDataExt", .command = "CMD_HELPER_DATA",
+      .summary = "Report acceleration, tilt and rotation of the frame to the board.", .id = 72,
+      .direction = Direction::to_board, .min_size = 20, .max_size = 20, .since = {.firmware = 2590},
       .effects = Effects(Effect::moves)};
   static constexpr Range frame_angle_roll_range{-32768, 32767};
   static constexpr Special frame_angle_roll_special[] = {

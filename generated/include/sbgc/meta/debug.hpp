@@ -42,11 +42,9 @@ struct Meta<msg::DebugVarInfo> {
 template <>
 struct Meta<msg::DebugVarsInfo3> {
   static constexpr MessageInfo info{
-      .name = "DebugVarsInfo3",
-      .command = "CMD_DEBUG_VARS_INFO_3",
+      .name = "DebugVarsInfo3", .command = "CMD_DEBUG_VARS_INFO_3",
       .summary = "Names and types of the debug variables, in the order of CMD_DEBUG_VARS_3.",
-      .id = 253, .direction = Direction::from_board,
-      .min_size = 1, .max_size = 255,
+      .id = 253, .direction = Direction::from_board, .min_size = 1, .max_size = 255,
       .since = {.board = 30}};
   static constexpr Range debug_vars_num_range{1, 255};
   static constexpr FieldInfo fields[] = {
@@ -70,14 +68,10 @@ template <>
 struct Meta<msg::DebugVarsInfo3Request> {
   static constexpr const char* answers[] = {"DebugVarsInfo3"};
   static constexpr MessageInfo info{
-      .name = "DebugVarsInfo3Request",
-      .command = "CMD_DEBUG_VARS_INFO_3",
-      .summary = "Request the names and types of the debug variables.",
-      .id = 253, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 1,
-      .since = {.board = 30},
-      .answers = answers,
-      .effects = Effects(Effect::reads)};
+      .name = "DebugVarsInfo3Request", .command = "CMD_DEBUG_VARS_INFO_3",
+      .summary = "Request the names and types of the debug variables.", .id = 253,
+      .direction = Direction::to_board, .min_size = 0, .max_size = 1, .since = {.board = 30},
+      .answers = answers, .effects = Effects(Effect::reads)};
   static constexpr FieldInfo fields[] = {
       {.name = "start_idx", .spec_name = "START_IDX",
        .summary = "First variable to describe, if there are several pages; the last one is empty.",
@@ -95,12 +89,9 @@ struct Meta<msg::DebugVarsInfo3Request> {
 template <>
 struct Meta<msg::DebugVars3> {
   static constexpr MessageInfo info{
-      .name = "DebugVars3",
-      .command = "CMD_DEBUG_VARS_3",
-      .summary = "Values of the debug variables.",
-      .id = 254, .direction = Direction::from_board,
-      .min_size = 0, .max_size = 255,
-      .since = {.board = 30}};
+      .name = "DebugVars3", .command = "CMD_DEBUG_VARS_3",
+      .summary = "Values of the debug variables.", .id = 254, .direction = Direction::from_board,
+      .min_size = 0, .max_size = 255, .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "var_value", .spec_name = "VAR_VALUE",
        .summary = "The values in sequence, each with the type and the number of elements announced by CMD_DEBUG_VARS_INFO_3. The set of variables depends on the firmware."},
@@ -119,14 +110,10 @@ template <>
 struct Meta<msg::DebugVars3Request> {
   static constexpr const char* answers[] = {"DebugVars3"};
   static constexpr MessageInfo info{
-      .name = "DebugVars3Request",
-      .command = "CMD_DEBUG_VARS_3",
-      .summary = "Request the values of the debug variables.",
-      .id = 254, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 0,
-      .since = {.board = 30},
-      .answers = answers,
-      .effects = Effects(Effect::reads)};
+      .name = "DebugVars3Request", .command = "CMD_DEBUG_VARS_3",
+      .summary = "Request the values of the debug variables.", .id = 254,
+      .direction = Direction::to_board, .min_size = 0, .max_size = 0, .since = {.board = 30},
+      .answers = answers, .effects = Effects(Effect::reads)};
 
   static constexpr void visit(auto&, auto&&) {
   }
@@ -135,12 +122,9 @@ struct Meta<msg::DebugVars3Request> {
 template <>
 struct Meta<msg::DebugVars3RequestSelected> {
   static constexpr MessageInfo info{
-      .name = "DebugVars3RequestSelected",
-      .command = "CMD_DEBUG_VARS_3",
-      .summary = "Request the values of selected debug variables.",
-      .id = 254, .direction = Direction::to_board,
-      .min_size = 4, .max_size = 32,
-      .since = {.firmware = 2720},
+      .name = "DebugVars3RequestSelected", .command = "CMD_DEBUG_VARS_3",
+      .summary = "Request the values of selected debug variables.", .id = 254,
+      .direction = Direction::to_board, .min_size = 4, .max_size = 32, .since = {.firmware = 2720},
       .effects = Effects(Effect::reads)};
   static constexpr FieldInfo fields[] = {
       {.name = "selected_mask", .spec_name = "SELECTED_MASK",
@@ -159,11 +143,9 @@ struct Meta<msg::DebugVars3RequestSelected> {
 template <>
 struct Meta<msg::SetDebugPort> {
   static constexpr MessageInfo info{
-      .name = "SetDebugPort",
-      .command = "CMD_SET_DEBUG_PORT",
-      .summary = "Copy of a message on another port of the board.",
-      .id = 249, .direction = Direction::from_board,
-      .min_size = 4, .max_size = 255,
+      .name = "SetDebugPort", .command = "CMD_SET_DEBUG_PORT",
+      .summary = "Copy of a message on another port of the board.", .id = 249,
+      .direction = Direction::from_board, .min_size = 4, .max_size = 255,
       .since = {.firmware = 2600}};
   static constexpr FieldInfo fields[] = {
       {.name = "time_ms", .spec_name = "TIME_MS", .summary = "Time since the board started.",
@@ -191,12 +173,9 @@ struct Meta<msg::SetDebugPort> {
 template <>
 struct Meta<msg::SetDebugPortRequest> {
   static constexpr MessageInfo info{
-      .name = "SetDebugPortRequest",
-      .command = "CMD_SET_DEBUG_PORT",
-      .summary = "Start or stop the copies of the messages on the board's other ports.",
-      .id = 249, .direction = Direction::to_board,
-      .min_size = 16, .max_size = 16,
-      .since = {.firmware = 2600},
+      .name = "SetDebugPortRequest", .command = "CMD_SET_DEBUG_PORT",
+      .summary = "Start or stop the copies of the messages on the board's other ports.", .id = 249,
+      .direction = Direction::to_board, .min_size = 16, .max_size = 16, .since = {.firmware = 2600},
       .effects = Effects(Effect::sets)};
   static constexpr FieldInfo fields[] = {
       {.name = "action", .spec_name = "ACTION", .summary = "Operation."},

@@ -84,13 +84,10 @@ struct Meta<msg::ExtMotorTarget32> {
 template <>
 struct Meta<msg::ExtMotorsAction> {
   static constexpr MessageInfo info{
-      .name = "ExtMotorsAction",
-      .command = "CMD_EXT_MOTORS_ACTION",
-      .summary = "Turn external motors on or off, or move them to their home position.",
-      .id = 128, .direction = Direction::to_board,
-      .min_size = 2, .max_size = 255,
-      .since = {.firmware = 2730, .features = 0x400000000},
-      .effects = Effects(Effect::moves)};
+      .name = "ExtMotorsAction", .command = "CMD_EXT_MOTORS_ACTION",
+      .summary = "Turn external motors on or off, or move them to their home position.", .id = 128,
+      .direction = Direction::to_board, .min_size = 2, .max_size = 255,
+      .since = {.firmware = 2730, .features = 0x400000000}, .effects = Effects(Effect::moves)};
   static constexpr FieldInfo fields[] = {
       {.name = "for_motors", .spec_name = "FOR_MOTORS",
        .summary = "The motors, and whether to confirm."},
@@ -114,12 +111,9 @@ struct Meta<msg::ExtMotorsAction> {
 template <>
 struct Meta<msg::ExtMotorsControl> {
   static constexpr MessageInfo info{
-      .name = "ExtMotorsControl",
-      .command = "CMD_EXT_MOTORS_CONTROL",
-      .summary = "Set targets of external motors.",
-      .id = 129, .direction = Direction::to_board,
-      .min_size = 2, .max_size = 58,
-      .since = {.firmware = 2730, .features = 0x400000000},
+      .name = "ExtMotorsControl", .command = "CMD_EXT_MOTORS_CONTROL",
+      .summary = "Set targets of external motors.", .id = 129, .direction = Direction::to_board,
+      .min_size = 2, .max_size = 58, .since = {.firmware = 2730, .features = 0x400000000},
       .effects = Effects(Effect::moves)};
   static constexpr FieldInfo fields[] = {
       {.name = "for_motors", .spec_name = "FOR_MOTORS", .summary = "The motors."},
@@ -161,12 +155,9 @@ struct Meta<msg::ExtMotorsControl> {
 template <>
 struct Meta<msg::ExtMotorsControlConfig> {
   static constexpr MessageInfo info{
-      .name = "ExtMotorsControlConfig",
-      .command = "CMD_EXT_MOTORS_CONTROL_CONFIG",
-      .summary = "Configure external motors.",
-      .id = 130, .direction = Direction::to_board,
-      .min_size = 3, .max_size = 12,
-      .since = {.firmware = 2730, .features = 0x400000000},
+      .name = "ExtMotorsControlConfig", .command = "CMD_EXT_MOTORS_CONTROL_CONFIG",
+      .summary = "Configure external motors.", .id = 130, .direction = Direction::to_board,
+      .min_size = 3, .max_size = 12, .since = {.firmware = 2730, .features = 0x400000000},
       .effects = Effects(Effect::sets)};
   static constexpr FieldInfo fields[] = {
       {.name = "for_motors", .spec_name = "FOR_MOTORS",
@@ -209,12 +200,9 @@ struct Meta<msg::ExtMotorsControlConfig> {
 template <>
 struct Meta<msg::ExtMotorsState> {
   static constexpr MessageInfo info{
-      .name = "ExtMotorsState",
-      .command = "CMD_EXT_MOTORS_STATE",
-      .summary = "State of an external motor.",
-      .id = 131, .direction = Direction::from_board,
-      .min_size = 5, .max_size = 50,
-      .since = {.firmware = 2730, .features = 0x400000000}};
+      .name = "ExtMotorsState", .command = "CMD_EXT_MOTORS_STATE",
+      .summary = "State of an external motor.", .id = 131, .direction = Direction::from_board,
+      .min_size = 5, .max_size = 50, .since = {.firmware = 2730, .features = 0x400000000}};
   static constexpr Range motor_id_range{0, 6};
   static constexpr FieldInfo fields[] = {
       {.name = "motor_id", .spec_name = "MOTOR_ID", .summary = "The motor, counted from 0.",
@@ -315,13 +303,10 @@ template <>
 struct Meta<msg::ExtMotorsStateRequest> {
   static constexpr const char* answers[] = {"ExtMotorsState"};
   static constexpr MessageInfo info{
-      .name = "ExtMotorsStateRequest",
-      .command = "CMD_EXT_MOTORS_STATE",
-      .summary = "Request the state of external motors.",
-      .id = 131, .direction = Direction::to_board,
-      .min_size = 5, .max_size = 5,
-      .since = {.firmware = 2730, .features = 0x400000000},
-      .answers = answers,
+      .name = "ExtMotorsStateRequest", .command = "CMD_EXT_MOTORS_STATE",
+      .summary = "Request the state of external motors.", .id = 131,
+      .direction = Direction::to_board, .min_size = 5, .max_size = 5,
+      .since = {.firmware = 2730, .features = 0x400000000}, .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr FieldInfo fields[] = {
       {.name = "for_motors", .spec_name = "FOR_MOTORS", .summary = "The motors."},

@@ -81,12 +81,9 @@ struct Meta<msg::AhrsDebugInfo> {
 template <>
 struct Meta<msg::SelectImu3> {
   static constexpr MessageInfo info{
-      .name = "SelectImu3",
-      .command = "CMD_SELECT_IMU_3",
-      .summary = "Select the IMU to configure and calibrate.",
-      .id = 24, .direction = Direction::to_board,
-      .min_size = 1, .max_size = 1,
-      .since = {.board = 30},
+      .name = "SelectImu3", .command = "CMD_SELECT_IMU_3",
+      .summary = "Select the IMU to configure and calibrate.", .id = 24,
+      .direction = Direction::to_board, .min_size = 1, .max_size = 1, .since = {.board = 30},
       .effects = Effects(Effect::sets)};
   static constexpr FieldInfo fields[] = {
       {.name = "imu_type", .spec_name = "IMU_TYPE", .summary = "The IMU."},
@@ -103,14 +100,10 @@ struct Meta<msg::SelectImu3> {
 template <>
 struct Meta<msg::SelectImu3Ext> {
   static constexpr MessageInfo info{
-      .name = "SelectImu3Ext",
-      .command = "CMD_SELECT_IMU_3",
-      .summary = "Select an IMU, with parameters that no source describes.",
-      .id = 24, .direction = Direction::to_board,
-      .min_size = 2, .max_size = 10,
-      .since = {.firmware = 2600},
-      .unconfirmed = true,
-      .effects = Effects(Effect::sets)};
+      .name = "SelectImu3Ext", .command = "CMD_SELECT_IMU_3",
+      .summary = "Select an IMU, with parameters that no source describes.", .id = 24,
+      .direction = Direction::to_board, .min_size = 2, .max_size = 10, .since = {.firmware = 2600},
+      .unconfirmed = true, .effects = Effects(Effect::sets)};
   static constexpr FieldInfo fields[] = {
       {.name = "imu_type", .spec_name = "IMU_TYPE", .summary = "The IMU."},
       {.name = "param", .spec_name = "PARAM", .summary = "Undocumented."},
@@ -133,13 +126,9 @@ struct Meta<msg::SelectImu3Ext> {
 template <>
 struct Meta<msg::SelectImu3CalibrateShort> {
   static constexpr MessageInfo info{
-      .name = "SelectImu3CalibrateShort",
-      .command = "CMD_SELECT_IMU_3",
-      .summary = "The same, with one byte less.",
-      .id = 24, .direction = Direction::to_board,
-      .min_size = 11, .max_size = 11,
-      .since = {.firmware = 2600},
-      .unconfirmed = true,
+      .name = "SelectImu3CalibrateShort", .command = "CMD_SELECT_IMU_3",
+      .summary = "The same, with one byte less.", .id = 24, .direction = Direction::to_board,
+      .min_size = 11, .max_size = 11, .since = {.firmware = 2600}, .unconfirmed = true,
       .effects = Effects(Effect::stores) | Effect::restarts | Effect::erases};
   static constexpr FieldInfo fields[] = {
       {.name = "imu_type", .spec_name = "IMU_TYPE", .summary = "The IMU."},
@@ -167,12 +156,9 @@ struct Meta<msg::SelectImu3CalibrateShort> {
 template <>
 struct Meta<msg::SelectImu3Calibrate> {
   static constexpr MessageInfo info{
-      .name = "SelectImu3Calibrate",
-      .command = "CMD_SELECT_IMU_3",
-      .summary = "Select an IMU and calibrate it, or manage its calibrations.",
-      .id = 24, .direction = Direction::to_board,
-      .min_size = 12, .max_size = 12,
-      .since = {.firmware = 2600},
+      .name = "SelectImu3Calibrate", .command = "CMD_SELECT_IMU_3",
+      .summary = "Select an IMU and calibrate it, or manage its calibrations.", .id = 24,
+      .direction = Direction::to_board, .min_size = 12, .max_size = 12, .since = {.firmware = 2600},
       .effects = Effects(Effect::stores) | Effect::restarts | Effect::erases};
   static constexpr FieldInfo fields[] = {
       {.name = "imu_type", .spec_name = "IMU_TYPE", .summary = "The IMU."},
@@ -200,12 +186,9 @@ struct Meta<msg::SelectImu3Calibrate> {
 template <>
 struct Meta<msg::AhrsHelper> {
   static constexpr MessageInfo info{
-      .name = "AhrsHelper",
-      .command = "CMD_AHRS_HELPER",
-      .summary = "Attitude of an IMU as two unit vectors.",
-      .id = 56, .direction = Direction::from_board,
-      .min_size = 24, .max_size = 24,
-      .since = {.board = 30}};
+      .name = "AhrsHelper", .command = "CMD_AHRS_HELPER",
+      .summary = "Attitude of an IMU as two unit vectors.", .id = 56,
+      .direction = Direction::from_board, .min_size = 24, .max_size = 24, .since = {.board = 30}};
   static constexpr Range z1_vector_range{-1, 1};
   static constexpr Range h1_vector_range{-1, 1};
   static constexpr FieldInfo fields[] = {
@@ -232,16 +215,10 @@ template <>
 struct Meta<msg::AhrsHelperRequest> {
   static constexpr const char* answers[] = {"AhrsHelper"};
   static constexpr MessageInfo info{
-      .name = "AhrsHelperRequest",
-      .command = "CMD_AHRS_HELPER",
-      .summary = "Query the attitude of an IMU.",
-      .id = 56, .direction = Direction::to_board,
-      .min_size = 1, .max_size = 1,
-      .since = {.board = 30},
-      .until = {.firmware = 2695}
-,
-      .answers = answers,
-      .effects = Effects(Effect::reads)};
+      .name = "AhrsHelperRequest", .command = "CMD_AHRS_HELPER",
+      .summary = "Query the attitude of an IMU.", .id = 56, .direction = Direction::to_board,
+      .min_size = 1, .max_size = 1, .since = {.board = 30}, .until = {.firmware = 2695},
+      .answers = answers, .effects = Effects(Effect::reads)};
   static constexpr FieldInfo fields[] = {
       {.name = "mode", .spec_name = "MODE", .summary = "The IMU to query; without SET."},
   };
@@ -258,14 +235,10 @@ template <>
 struct Meta<msg::AhrsHelperRequestWide> {
   static constexpr const char* answers[] = {"AhrsHelper"};
   static constexpr MessageInfo info{
-      .name = "AhrsHelperRequestWide",
-      .command = "CMD_AHRS_HELPER",
-      .summary = "Query the attitude of an IMU, with a two-byte mode.",
-      .id = 56, .direction = Direction::to_board,
-      .min_size = 2, .max_size = 2,
-      .since = {.firmware = 2695},
-      .answers = answers,
-      .effects = Effects(Effect::reads)};
+      .name = "AhrsHelperRequestWide", .command = "CMD_AHRS_HELPER",
+      .summary = "Query the attitude of an IMU, with a two-byte mode.", .id = 56,
+      .direction = Direction::to_board, .min_size = 2, .max_size = 2, .since = {.firmware = 2695},
+      .answers = answers, .effects = Effects(Effect::reads)};
   static constexpr FieldInfo fields[] = {
       {.name = "mode", .spec_name = "MODE", .summary = "The IMU to query; without SET."},
   };
@@ -282,16 +255,10 @@ template <>
 struct Meta<msg::AhrsHelperRequestExt> {
   static constexpr const char* answers[] = {"AhrsHelper"};
   static constexpr MessageInfo info{
-      .name = "AhrsHelperRequestExt",
-      .command = "CMD_AHRS_HELPER",
-      .summary = "Query or set the attitude of an IMU.",
-      .id = 56, .direction = Direction::to_board,
-      .min_size = 25, .max_size = 25,
-      .since = {.board = 30},
-      .until = {.firmware = 2695}
-,
-      .answers = answers,
-      .effects = Effects(Effect::moves)};
+      .name = "AhrsHelperRequestExt", .command = "CMD_AHRS_HELPER",
+      .summary = "Query or set the attitude of an IMU.", .id = 56, .direction = Direction::to_board,
+      .min_size = 25, .max_size = 25, .since = {.board = 30}, .until = {.firmware = 2695},
+      .answers = answers, .effects = Effects(Effect::moves)};
   static constexpr Range z1_vector_range{-1, 1};
   static constexpr Range h1_vector_range{-1, 1};
   static constexpr FieldInfo fields[] = {
@@ -320,14 +287,10 @@ template <>
 struct Meta<msg::AhrsHelperRequestExtWide> {
   static constexpr const char* answers[] = {"AhrsHelper"};
   static constexpr MessageInfo info{
-      .name = "AhrsHelperRequestExtWide",
-      .command = "CMD_AHRS_HELPER",
-      .summary = "Query or set the attitude of an IMU, with a two-byte mode.",
-      .id = 56, .direction = Direction::to_board,
-      .min_size = 26, .max_size = 26,
-      .since = {.firmware = 2695},
-      .answers = answers,
-      .effects = Effects(Effect::moves)};
+      .name = "AhrsHelperRequestExtWide", .command = "CMD_AHRS_HELPER",
+      .summary = "Query or set the attitude of an IMU, with a two-byte mode.", .id = 56,
+      .direction = Direction::to_board, .min_size = 26, .max_size = 26, .since = {.firmware = 2695},
+      .answers = answers, .effects = Effects(Effect::moves)};
   static constexpr Range z1_vector_range{-1, 1};
   static constexpr Range h1_vector_range{-1, 1};
   static constexpr FieldInfo fields[] = {
@@ -355,13 +318,10 @@ struct Meta<msg::AhrsHelperRequestExtWide> {
 template <>
 struct Meta<msg::GyroCorrection> {
   static constexpr MessageInfo info{
-      .name = "GyroCorrection",
-      .command = "CMD_GYRO_CORRECTION",
+      .name = "GyroCorrection", .command = "CMD_GYRO_CORRECTION",
       .summary = "Correct the zero of a gyroscope manually; the camera drifts if the correction is wrong.",
-      .id = 75, .direction = Direction::to_board,
-      .min_size = 9, .max_size = 9,
-      .since = {.board = 30},
-      .effects = Effects(Effect::stores) | Effect::moves};
+      .id = 75, .direction = Direction::to_board, .min_size = 9, .max_size = 9,
+      .since = {.board = 30}, .effects = Effects(Effect::stores) | Effect::moves};
   static constexpr FieldInfo fields[] = {
       {.name = "imu_type", .spec_name = "IMU_TYPE", .summary = "The IMU."},
       {.name = "gyro_zero_corr", .spec_name = "GYRO_ZERO_CORR",
@@ -387,11 +347,9 @@ struct Meta<msg::GyroCorrection> {
 template <>
 struct Meta<msg::ExtImuDebugInfo> {
   static constexpr MessageInfo info{
-      .name = "ExtImuDebugInfo",
-      .command = "CMD_EXT_IMU_DEBUG_INFO",
-      .summary = "State of the attitude estimation and of the external IMU.",
-      .id = 106, .direction = Direction::from_board,
-      .min_size = 74, .max_size = 74,
+      .name = "ExtImuDebugInfo", .command = "CMD_EXT_IMU_DEBUG_INFO",
+      .summary = "State of the attitude estimation and of the external IMU.", .id = 106,
+      .direction = Direction::from_board, .min_size = 74, .max_size = 74,
       .since = {.firmware = 2660, .features = 0x10000}};
   static constexpr FieldInfo fields[] = {
       {.name = "ahrs_debug_info", .spec_name = "AHRS_DEBUG_INFO",
@@ -417,13 +375,10 @@ template <>
 struct Meta<msg::ExtImuDebugInfoRequest> {
   static constexpr const char* answers[] = {"ExtImuDebugInfo"};
   static constexpr MessageInfo info{
-      .name = "ExtImuDebugInfoRequest",
-      .command = "CMD_EXT_IMU_DEBUG_INFO",
-      .summary = "Request the state of the attitude estimation and of the external IMU.",
-      .id = 106, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 0,
-      .since = {.firmware = 2660, .features = 0x10000},
-      .answers = answers,
+      .name = "ExtImuDebugInfoRequest", .command = "CMD_EXT_IMU_DEBUG_INFO",
+      .summary = "Request the state of the attitude estimation and of the external IMU.", .id = 106,
+      .direction = Direction::to_board, .min_size = 0, .max_size = 0,
+      .since = {.firmware = 2660, .features = 0x10000}, .answers = answers,
       .effects = Effects(Effect::reads)};
 
   static constexpr void visit(auto&, auto&&) {
@@ -433,11 +388,8 @@ struct Meta<msg::ExtImuDebugInfoRequest> {
 template <>
 struct Meta<msg::ExtImuCmd> {
   static constexpr MessageInfo info{
-      .name = "ExtImuCmd",
-      .command = "CMD_EXT_IMU_CMD",
-      .summary = "A message of the external IMU.",
-      .id = 110, .direction = Direction::both,
-      .min_size = 1, .max_size = 255,
+      .name = "ExtImuCmd", .command = "CMD_EXT_IMU_CMD", .summary = "A message of the external IMU.",
+      .id = 110, .direction = Direction::both, .min_size = 1, .max_size = 255,
       .since = {.firmware = 2600, .features = 0x10000},
       .effects = Effects(Effect::sets) | Effect::stores | Effect::moves};
   static constexpr FieldInfo fields[] = {
@@ -458,12 +410,9 @@ struct Meta<msg::ExtImuCmd> {
 template <>
 struct Meta<msg::ExtSensCmd> {
   static constexpr MessageInfo info{
-      .name = "ExtSensCmd",
-      .command = "CMD_EXT_SENS_CMD",
-      .summary = "A message of the external sensor.",
-      .id = 150, .direction = Direction::from_board,
-      .min_size = 1, .max_size = 255,
-      .since = {.firmware = 2687, .board = 36, .features = 0x10000},
+      .name = "ExtSensCmd", .command = "CMD_EXT_SENS_CMD",
+      .summary = "A message of the external sensor.", .id = 150, .direction = Direction::from_board,
+      .min_size = 1, .max_size = 255, .since = {.firmware = 2687, .board = 36, .features = 0x10000},
       .unconfirmed = true};
   static constexpr FieldInfo fields[] = {
       {.name = "cmd_id", .spec_name = "CMD_ID", .summary = "Command of the sensor."},
@@ -483,11 +432,9 @@ struct Meta<msg::ExtSensCmd> {
 template <>
 struct Meta<msg::ExtSensCmdRequest> {
   static constexpr MessageInfo info{
-      .name = "ExtSensCmdRequest",
-      .command = "CMD_EXT_SENS_CMD",
-      .summary = "Forward a command to an external sensor.",
-      .id = 150, .direction = Direction::to_board,
-      .min_size = 2, .max_size = 255,
+      .name = "ExtSensCmdRequest", .command = "CMD_EXT_SENS_CMD",
+      .summary = "Forward a command to an external sensor.", .id = 150,
+      .direction = Direction::to_board, .min_size = 2, .max_size = 255,
       .since = {.firmware = 2687, .board = 36, .features = 0x10000},
       .effects = Effects(Effect::sets) | Effect::stores | Effect::moves};
   static constexpr FieldInfo fields[] = {
@@ -511,12 +458,9 @@ struct Meta<msg::ExtSensCmdRequest> {
 template <>
 struct Meta<msg::ImuAdvancedCalib> {
   static constexpr MessageInfo info{
-      .name = "ImuAdvancedCalib",
-      .command = "CMD_IMU_ADVANCED_CALIB",
-      .summary = "Undocumented body from the board.",
-      .id = 115, .direction = Direction::from_board,
-      .min_size = 0, .max_size = 255,
-      .since = {.firmware = 2600}};
+      .name = "ImuAdvancedCalib", .command = "CMD_IMU_ADVANCED_CALIB",
+      .summary = "Undocumented body from the board.", .id = 115, .direction = Direction::from_board,
+      .min_size = 0, .max_size = 255, .since = {.firmware = 2600}};
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
@@ -532,12 +476,9 @@ struct Meta<msg::ImuAdvancedCalib> {
 template <>
 struct Meta<msg::ImuAdvancedCalibRequest> {
   static constexpr MessageInfo info{
-      .name = "ImuAdvancedCalibRequest",
-      .command = "CMD_IMU_ADVANCED_CALIB",
-      .summary = "Undocumented body to the board.",
-      .id = 115, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 255,
-      .since = {.firmware = 2600},
+      .name = "ImuAdvancedCalibRequest", .command = "CMD_IMU_ADVANCED_CALIB",
+      .summary = "Undocumented body to the board.", .id = 115, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 255, .since = {.firmware = 2600},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},

@@ -64,12 +64,9 @@ struct Meta<msg::CanDevice> {
 template <>
 struct Meta<msg::ModuleList> {
   static constexpr MessageInfo info{
-      .name = "ModuleList",
-      .command = "CMD_MODULE_LIST",
-      .summary = "Modules connected to the board.",
-      .id = 76, .direction = Direction::from_board,
-      .min_size = 1, .max_size = 222,
-      .since = {.firmware = 2600}};
+      .name = "ModuleList", .command = "CMD_MODULE_LIST",
+      .summary = "Modules connected to the board.", .id = 76, .direction = Direction::from_board,
+      .min_size = 1, .max_size = 222, .since = {.firmware = 2600}};
   static constexpr Range device_num_range{0, 17};
   static constexpr FieldInfo fields[] = {
       {.name = "device_num", .spec_name = "DEVICE_NUM", .summary = "Number of modules that follow.",
@@ -92,14 +89,10 @@ template <>
 struct Meta<msg::ModuleListRequest> {
   static constexpr const char* answers[] = {"ModuleList"};
   static constexpr MessageInfo info{
-      .name = "ModuleListRequest",
-      .command = "CMD_MODULE_LIST",
-      .summary = "Request the list of the modules connected to the board.",
-      .id = 76, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 0,
-      .since = {.firmware = 2600},
-      .answers = answers,
-      .effects = Effects(Effect::reads)};
+      .name = "ModuleListRequest", .command = "CMD_MODULE_LIST",
+      .summary = "Request the list of the modules connected to the board.", .id = 76,
+      .direction = Direction::to_board, .min_size = 0, .max_size = 0, .since = {.firmware = 2600},
+      .answers = answers, .effects = Effects(Effect::reads)};
 
   static constexpr void visit(auto&, auto&&) {
   }
@@ -108,12 +101,9 @@ struct Meta<msg::ModuleListRequest> {
 template <>
 struct Meta<msg::CanDeviceScan> {
   static constexpr MessageInfo info{
-      .name = "CanDeviceScan",
-      .command = "CMD_CAN_DEVICE_SCAN",
-      .summary = "Devices on the CAN bus.",
-      .id = 96, .direction = Direction::from_board,
-      .min_size = 0, .max_size = 252,
-      .since = {.firmware = 2600, .features = 0x400}};
+      .name = "CanDeviceScan", .command = "CMD_CAN_DEVICE_SCAN",
+      .summary = "Devices on the CAN bus.", .id = 96, .direction = Direction::from_board,
+      .min_size = 0, .max_size = 252, .since = {.firmware = 2600, .features = 0x400}};
   static constexpr FieldInfo fields[] = {
       {.name = "devices", .spec_name = "devices", .summary = "The devices.", .max_count = 18},
   };
@@ -130,14 +120,10 @@ template <>
 struct Meta<msg::CanDeviceScanRequest> {
   static constexpr const char* answers[] = {"CanDeviceScan"};
   static constexpr MessageInfo info{
-      .name = "CanDeviceScanRequest",
-      .command = "CMD_CAN_DEVICE_SCAN",
-      .summary = "Search for devices on the CAN bus.",
-      .id = 96, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 0,
-      .since = {.firmware = 2600, .features = 0x400},
-      .answers = answers,
-      .effects = Effects(Effect::reads)};
+      .name = "CanDeviceScanRequest", .command = "CMD_CAN_DEVICE_SCAN",
+      .summary = "Search for devices on the CAN bus.", .id = 96, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 0, .since = {.firmware = 2600, .features = 0x400},
+      .answers = answers, .effects = Effects(Effect::reads)};
 
   static constexpr void visit(auto&, auto&&) {
   }
@@ -146,11 +132,9 @@ struct Meta<msg::CanDeviceScanRequest> {
 template <>
 struct Meta<msg::TransparentSapi> {
   static constexpr MessageInfo info{
-      .name = "TransparentSapi",
-      .command = "CMD_TRANSPARENT_SAPI",
-      .summary = "Data from a serial port of a device on the CAN bus.",
-      .id = 151, .direction = Direction::from_board,
-      .min_size = 1, .max_size = 255,
+      .name = "TransparentSapi", .command = "CMD_TRANSPARENT_SAPI",
+      .summary = "Data from a serial port of a device on the CAN bus.", .id = 151,
+      .direction = Direction::from_board, .min_size = 1, .max_size = 255,
       .since = {.firmware = 2720, .board = 36}};
   static constexpr FieldInfo fields[] = {
       {.name = "target", .spec_name = "TARGET", .summary = "Device and port that sent the data.",
@@ -171,11 +155,9 @@ struct Meta<msg::TransparentSapi> {
 template <>
 struct Meta<msg::TransparentSapiRequest> {
   static constexpr MessageInfo info{
-      .name = "TransparentSapiRequest",
-      .command = "CMD_TRANSPARENT_SAPI",
-      .summary = "Send data to a serial port of a device on the CAN bus.",
-      .id = 151, .direction = Direction::to_board,
-      .min_size = 1, .max_size = 255,
+      .name = "TransparentSapiRequest", .command = "CMD_TRANSPARENT_SAPI",
+      .summary = "Send data to a serial port of a device on the CAN bus.", .id = 151,
+      .direction = Direction::to_board, .min_size = 1, .max_size = 255,
       .since = {.firmware = 2720, .board = 36},
       .effects = Effects(Effect::sets) | Effect::stores | Effect::moves | Effect::restarts | Effect::erases};
   static constexpr FieldInfo fields[] = {
@@ -197,12 +179,9 @@ struct Meta<msg::TransparentSapiRequest> {
 template <>
 struct Meta<msg::ModuleFlashStart> {
   static constexpr MessageInfo info{
-      .name = "ModuleFlashStart",
-      .command = "CMD_MODULE_FLASH_START",
-      .summary = "Begin to load new firmware into a module.",
-      .id = 78, .direction = Direction::to_board,
-      .min_size = 5, .max_size = 5,
-      .since = {.firmware = 2745},
+      .name = "ModuleFlashStart", .command = "CMD_MODULE_FLASH_START",
+      .summary = "Begin to load new firmware into a module.", .id = 78,
+      .direction = Direction::to_board, .min_size = 5, .max_size = 5, .since = {.firmware = 2745},
       .effects = Effects(Effect::restarts) | Effect::erases};
   static constexpr Range firmware_size_range{1, 4294967295};
   static constexpr FieldInfo fields[] = {
@@ -224,12 +203,9 @@ struct Meta<msg::ModuleFlashStart> {
 template <>
 struct Meta<msg::ModuleFlashWrite> {
   static constexpr MessageInfo info{
-      .name = "ModuleFlashWrite",
-      .command = "CMD_MODULE_FLASH_WRITE",
-      .summary = "Load a part of new firmware into a module.",
-      .id = 81, .direction = Direction::to_board,
-      .min_size = 14, .max_size = 138,
-      .since = {.firmware = 2745},
+      .name = "ModuleFlashWrite", .command = "CMD_MODULE_FLASH_WRITE",
+      .summary = "Load a part of new firmware into a module.", .id = 81,
+      .direction = Direction::to_board, .min_size = 14, .max_size = 138, .since = {.firmware = 2745},
       .effects = Effects(Effect::stores)};
   static constexpr FieldInfo fields[] = {
       {.name = "device_id", .spec_name = "DEVICE_ID", .summary = "The module."},
@@ -262,12 +238,9 @@ struct Meta<msg::ModuleFlashWrite> {
 template <>
 struct Meta<msg::ModuleFlashFinish> {
   static constexpr MessageInfo info{
-      .name = "ModuleFlashFinish",
-      .command = "CMD_MODULE_FLASH_FINISH",
-      .summary = "End the loading of firmware into a module.",
-      .id = 83, .direction = Direction::to_board,
-      .min_size = 5, .max_size = 5,
-      .since = {.firmware = 2745},
+      .name = "ModuleFlashFinish", .command = "CMD_MODULE_FLASH_FINISH",
+      .summary = "End the loading of firmware into a module.", .id = 83,
+      .direction = Direction::to_board, .min_size = 5, .max_size = 5, .since = {.firmware = 2745},
       .effects = Effects(Effect::stores)};
   static constexpr FieldInfo fields[] = {
       {.name = "device_id", .spec_name = "DEVICE_ID", .summary = "The module."},
@@ -289,14 +262,10 @@ template <>
 struct Meta<msg::UdrvDeviceScan> {
   static constexpr const char* answers[] = {"CanDeviceScan"};
   static constexpr MessageInfo info{
-      .name = "UdrvDeviceScan",
-      .command = "CMD_UDRV_DEVICE_SCAN",
-      .summary = "Search for uDrv modules and give them ids.",
-      .id = 144, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 0,
-      .since = {.firmware = 2745},
-      .answers = answers,
-      .effects = Effects(Effect::stores)};
+      .name = "UdrvDeviceScan", .command = "CMD_UDRV_DEVICE_SCAN",
+      .summary = "Search for uDrv modules and give them ids.", .id = 144,
+      .direction = Direction::to_board, .min_size = 0, .max_size = 0, .since = {.firmware = 2745},
+      .answers = answers, .effects = Effects(Effect::stores)};
 
   static constexpr void visit(auto&, auto&&) {
   }
@@ -305,12 +274,9 @@ struct Meta<msg::UdrvDeviceScan> {
 template <>
 struct Meta<msg::SetTranspProxy> {
   static constexpr MessageInfo info{
-      .name = "SetTranspProxy",
-      .command = "CMD_SET_TRANSP_PROXY",
-      .summary = "Connect two serial ports of the board.",
-      .id = 143, .direction = Direction::to_board,
-      .min_size = 2, .max_size = 2,
-      .since = {.firmware = 2745},
+      .name = "SetTranspProxy", .command = "CMD_SET_TRANSP_PROXY",
+      .summary = "Connect two serial ports of the board.", .id = 143,
+      .direction = Direction::to_board, .min_size = 2, .max_size = 2, .since = {.firmware = 2745},
       .effects = Effects(Effect::sets) | Effect::disconnects};
   static constexpr Special port1_special[] = {
       {0, "the port of this request"},
@@ -337,13 +303,9 @@ struct Meta<msg::SetTranspProxy> {
 template <>
 struct Meta<msg::UartBypass> {
   static constexpr MessageInfo info{
-      .name = "UartBypass",
-      .command = "CMD_UART_BYPASS",
-      .summary = "Undocumented body from the board.",
-      .id = 60, .direction = Direction::from_board,
-      .min_size = 0, .max_size = 255,
-      .since = {.firmware = 2500, .board = 30},
-      .unconfirmed = true};
+      .name = "UartBypass", .command = "CMD_UART_BYPASS",
+      .summary = "Undocumented body from the board.", .id = 60, .direction = Direction::from_board,
+      .min_size = 0, .max_size = 255, .since = {.firmware = 2500, .board = 30}, .unconfirmed = true};
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
@@ -359,13 +321,9 @@ struct Meta<msg::UartBypass> {
 template <>
 struct Meta<msg::UartBypassRequest> {
   static constexpr MessageInfo info{
-      .name = "UartBypassRequest",
-      .command = "CMD_UART_BYPASS",
-      .summary = "Undocumented body to the board.",
-      .id = 60, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 255,
-      .since = {.firmware = 2500, .board = 30},
-      .unconfirmed = true,
+      .name = "UartBypassRequest", .command = "CMD_UART_BYPASS",
+      .summary = "Undocumented body to the board.", .id = 60, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 255, .since = {.firmware = 2500, .board = 30}, .unconfirmed = true,
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
@@ -382,12 +340,9 @@ struct Meta<msg::UartBypassRequest> {
 template <>
 struct Meta<msg::SetDeviceAddr> {
   static constexpr MessageInfo info{
-      .name = "SetDeviceAddr",
-      .command = "CMD_SET_DEVICE_ADDR",
-      .summary = "Undocumented body from the board.",
-      .id = 107, .direction = Direction::from_board,
-      .min_size = 0, .max_size = 255,
-      .since = {.firmware = 2600}};
+      .name = "SetDeviceAddr", .command = "CMD_SET_DEVICE_ADDR",
+      .summary = "Undocumented body from the board.", .id = 107, .direction = Direction::from_board,
+      .min_size = 0, .max_size = 255, .since = {.firmware = 2600}};
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
@@ -403,12 +358,9 @@ struct Meta<msg::SetDeviceAddr> {
 template <>
 struct Meta<msg::SetDeviceAddrRequest> {
   static constexpr MessageInfo info{
-      .name = "SetDeviceAddrRequest",
-      .command = "CMD_SET_DEVICE_ADDR",
-      .summary = "Undocumented body to the board.",
-      .id = 107, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 255,
-      .since = {.firmware = 2600},
+      .name = "SetDeviceAddrRequest", .command = "CMD_SET_DEVICE_ADDR",
+      .summary = "Undocumented body to the board.", .id = 107, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 255, .since = {.firmware = 2600},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
@@ -425,12 +377,9 @@ struct Meta<msg::SetDeviceAddrRequest> {
 template <>
 struct Meta<msg::SerialProxy> {
   static constexpr MessageInfo info{
-      .name = "SerialProxy",
-      .command = "CMD_SERIAL_PROXY",
-      .summary = "Undocumented body from the board.",
-      .id = 113, .direction = Direction::from_board,
-      .min_size = 0, .max_size = 255,
-      .since = {.firmware = 2600}};
+      .name = "SerialProxy", .command = "CMD_SERIAL_PROXY",
+      .summary = "Undocumented body from the board.", .id = 113, .direction = Direction::from_board,
+      .min_size = 0, .max_size = 255, .since = {.firmware = 2600}};
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
@@ -446,12 +395,9 @@ struct Meta<msg::SerialProxy> {
 template <>
 struct Meta<msg::SerialProxyRequest> {
   static constexpr MessageInfo info{
-      .name = "SerialProxyRequest",
-      .command = "CMD_SERIAL_PROXY",
-      .summary = "Undocumented body to the board.",
-      .id = 113, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 255,
-      .since = {.firmware = 2600},
+      .name = "SerialProxyRequest", .command = "CMD_SERIAL_PROXY",
+      .summary = "Undocumented body to the board.", .id = 113, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 255, .since = {.firmware = 2600},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},

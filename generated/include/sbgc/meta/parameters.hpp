@@ -227,12 +227,9 @@ struct Meta<msg::RcCalibration> {
 template <>
 struct Meta<msg::ReadParams3> {
   static constexpr MessageInfo info{
-      .name = "ReadParams3",
-      .command = "CMD_READ_PARAMS_3",
-      .summary = "Parameters of one profile and general parameters.",
-      .id = 21, .direction = Direction::from_board,
-      .min_size = 134, .max_size = 134,
-      .since = {.board = 30}};
+      .name = "ReadParams3", .command = "CMD_READ_PARAMS_3",
+      .summary = "Parameters of one profile and general parameters.", .id = 21,
+      .direction = Direction::from_board, .min_size = 134, .max_size = 134, .since = {.board = 30}};
   static constexpr Range profile_id_range{0, 4};
   static constexpr Special profile_id_special[] = {
       {255, "the active profile"},
@@ -547,14 +544,10 @@ template <>
 struct Meta<msg::ReadParams3Request> {
   static constexpr const char* answers[] = {"ReadParams3"};
   static constexpr MessageInfo info{
-      .name = "ReadParams3Request",
-      .command = "CMD_READ_PARAMS_3",
-      .summary = "Request the parameters of one profile.",
-      .id = 21, .direction = Direction::to_board,
-      .min_size = 1, .max_size = 1,
-      .since = {.board = 30},
-      .answers = answers,
-      .effects = Effects(Effect::reads)};
+      .name = "ReadParams3Request", .command = "CMD_READ_PARAMS_3",
+      .summary = "Request the parameters of one profile.", .id = 21,
+      .direction = Direction::to_board, .min_size = 1, .max_size = 1, .since = {.board = 30},
+      .answers = answers, .effects = Effects(Effect::reads)};
   static constexpr Range profile_id_range{0, 4};
   static constexpr Special profile_id_special[] = {
       {255, "the active profile"},
@@ -576,12 +569,9 @@ template <>
 struct Meta<msg::ReadParams> {
   static constexpr const char* answers[] = {"ReadParamsAnswer"};
   static constexpr MessageInfo info{
-      .name = "ReadParams",
-      .command = "CMD_READ_PARAMS",
-      .summary = "Request the parameters of one profile, with the older id.",
-      .id = 82, .direction = Direction::to_board,
-      .min_size = 1, .max_size = 1,
-      .answers = answers,
+      .name = "ReadParams", .command = "CMD_READ_PARAMS",
+      .summary = "Request the parameters of one profile, with the older id.", .id = 82,
+      .direction = Direction::to_board, .min_size = 1, .max_size = 1, .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr Range profile_id_range{0, 4};
   static constexpr Special profile_id_special[] = {
@@ -603,12 +593,9 @@ struct Meta<msg::ReadParams> {
 template <>
 struct Meta<msg::ReadParamsExt> {
   static constexpr MessageInfo info{
-      .name = "ReadParamsExt",
-      .command = "CMD_READ_PARAMS_EXT",
-      .summary = "More parameters of one profile: filters, encoders, magnetometer.",
-      .id = 33, .direction = Direction::from_board,
-      .min_size = 104, .max_size = 104,
-      .since = {.board = 30}};
+      .name = "ReadParamsExt", .command = "CMD_READ_PARAMS_EXT",
+      .summary = "More parameters of one profile: filters, encoders, magnetometer.", .id = 33,
+      .direction = Direction::from_board, .min_size = 104, .max_size = 104, .since = {.board = 30}};
   static constexpr Range profile_id_range{0, 4};
   static constexpr Special profile_id_special[] = {
       {255, "the active profile"},
@@ -788,14 +775,10 @@ template <>
 struct Meta<msg::ReadParamsExtRequest> {
   static constexpr const char* answers[] = {"ReadParamsExt"};
   static constexpr MessageInfo info{
-      .name = "ReadParamsExtRequest",
-      .command = "CMD_READ_PARAMS_EXT",
-      .summary = "Request more parameters of one profile.",
-      .id = 33, .direction = Direction::to_board,
-      .min_size = 1, .max_size = 1,
-      .since = {.board = 30},
-      .answers = answers,
-      .effects = Effects(Effect::reads)};
+      .name = "ReadParamsExtRequest", .command = "CMD_READ_PARAMS_EXT",
+      .summary = "Request more parameters of one profile.", .id = 33,
+      .direction = Direction::to_board, .min_size = 1, .max_size = 1, .since = {.board = 30},
+      .answers = answers, .effects = Effects(Effect::reads)};
   static constexpr Range profile_id_range{0, 4};
   static constexpr Special profile_id_special[] = {
       {255, "the active profile"},
@@ -816,12 +799,9 @@ struct Meta<msg::ReadParamsExtRequest> {
 template <>
 struct Meta<msg::ReadParamsExt2> {
   static constexpr MessageInfo info{
-      .name = "ReadParamsExt2",
-      .command = "CMD_READ_PARAMS_EXT2",
-      .summary = "The third set of parameters of one profile.",
-      .id = 62, .direction = Direction::from_board,
-      .min_size = 151, .max_size = 151,
-      .since = {.board = 30}};
+      .name = "ReadParamsExt2", .command = "CMD_READ_PARAMS_EXT2",
+      .summary = "The third set of parameters of one profile.", .id = 62,
+      .direction = Direction::from_board, .min_size = 151, .max_size = 151, .since = {.board = 30}};
   static constexpr Range profile_id_range{0, 4};
   static constexpr Special profile_id_special[] = {
       {255, "the active profile"},
@@ -1076,14 +1056,10 @@ template <>
 struct Meta<msg::ReadParamsExt2Request> {
   static constexpr const char* answers[] = {"ReadParamsExt2"};
   static constexpr MessageInfo info{
-      .name = "ReadParamsExt2Request",
-      .command = "CMD_READ_PARAMS_EXT2",
-      .summary = "Request the third set of parameters of one profile.",
-      .id = 62, .direction = Direction::to_board,
-      .min_size = 1, .max_size = 1,
-      .since = {.board = 30},
-      .answers = answers,
-      .effects = Effects(Effect::reads)};
+      .name = "ReadParamsExt2Request", .command = "CMD_READ_PARAMS_EXT2",
+      .summary = "Request the third set of parameters of one profile.", .id = 62,
+      .direction = Direction::to_board, .min_size = 1, .max_size = 1, .since = {.board = 30},
+      .answers = answers, .effects = Effects(Effect::reads)};
   static constexpr Range profile_id_range{0, 4};
   static constexpr Special profile_id_special[] = {
       {255, "the active profile"},
@@ -1104,12 +1080,9 @@ struct Meta<msg::ReadParamsExt2Request> {
 template <>
 struct Meta<msg::WriteParamsSet> {
   static constexpr MessageInfo info{
-      .name = "WriteParamsSet",
-      .command = "CMD_WRITE_PARAMS_SET",
-      .summary = "Begin or end a series of commands that store parameters.",
-      .id = 119, .direction = Direction::to_board,
-      .min_size = 1, .max_size = 1,
-      .since = {.firmware = 2704},
+      .name = "WriteParamsSet", .command = "CMD_WRITE_PARAMS_SET",
+      .summary = "Begin or end a series of commands that store parameters.", .id = 119,
+      .direction = Direction::to_board, .min_size = 1, .max_size = 1, .since = {.firmware = 2704},
       .effects = Effects(Effect::sets) | Effect::moves | Effect::restarts};
   static constexpr FieldInfo fields[] = {
       {.name = "action", .spec_name = "ACTION", .summary = "Whether the series begins or ends."},
@@ -1126,11 +1099,8 @@ struct Meta<msg::WriteParamsSet> {
 template <>
 struct Meta<msg::ReadProfileNames> {
   static constexpr MessageInfo info{
-      .name = "ReadProfileNames",
-      .command = "CMD_READ_PROFILE_NAMES",
-      .summary = "Profile names.",
-      .id = 28, .direction = Direction::from_board,
-      .min_size = 240, .max_size = 240,
+      .name = "ReadProfileNames", .command = "CMD_READ_PROFILE_NAMES", .summary = "Profile names.",
+      .id = 28, .direction = Direction::from_board, .min_size = 240, .max_size = 240,
       .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "profile_name", .spec_name = "PROFILE{1..5}_NAME", .summary = "Name of each profile."},
@@ -1149,13 +1119,9 @@ template <>
 struct Meta<msg::ReadProfileNamesRequest> {
   static constexpr const char* answers[] = {"ReadProfileNames"};
   static constexpr MessageInfo info{
-      .name = "ReadProfileNamesRequest",
-      .command = "CMD_READ_PROFILE_NAMES",
-      .summary = "Request the profile names.",
-      .id = 28, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 0,
-      .since = {.board = 30},
-      .answers = answers,
+      .name = "ReadProfileNamesRequest", .command = "CMD_READ_PROFILE_NAMES",
+      .summary = "Request the profile names.", .id = 28, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 0, .since = {.board = 30}, .answers = answers,
       .effects = Effects(Effect::reads)};
 
   static constexpr void visit(auto&, auto&&) {
@@ -1165,12 +1131,9 @@ struct Meta<msg::ReadProfileNamesRequest> {
 template <>
 struct Meta<msg::ProfileSet> {
   static constexpr MessageInfo info{
-      .name = "ProfileSet",
-      .command = "CMD_PROFILE_SET",
-      .summary = "Save, clear or load a profile set.",
-      .id = 95, .direction = Direction::to_board,
-      .min_size = 10, .max_size = 10,
-      .since = {.firmware = 2650},
+      .name = "ProfileSet", .command = "CMD_PROFILE_SET",
+      .summary = "Save, clear or load a profile set.", .id = 95, .direction = Direction::to_board,
+      .min_size = 10, .max_size = 10, .since = {.firmware = 2650},
       .effects = Effects(Effect::stores) | Effect::moves | Effect::erases};
   static constexpr Range slot_range{1, 5};
   static constexpr Special slot_special[] = {
@@ -1199,13 +1162,10 @@ struct Meta<msg::ProfileSet> {
 template <>
 struct Meta<msg::SaveParams3> {
   static constexpr MessageInfo info{
-      .name = "SaveParams3",
-      .command = "CMD_SAVE_PARAMS_3",
+      .name = "SaveParams3", .command = "CMD_SAVE_PARAMS_3",
       .summary = "Save the parameters in use, with all changes to adjustable variables, to the active profile.",
-      .id = 32, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 255,
-      .since = {.board = 30},
-      .effects = Effects(Effect::stores)};
+      .id = 32, .direction = Direction::to_board, .min_size = 0, .max_size = 255,
+      .since = {.board = 30}, .effects = Effects(Effect::stores)};
   static constexpr FieldInfo fields[] = {
       {.name = "param_id", .spec_name = "PARAM_ID",
        .summary = "Variables to save; none stands for all.", .since = {.firmware = 2689}},
@@ -1222,10 +1182,8 @@ struct Meta<msg::SaveParams3> {
 template <>
 struct Meta<msg::UseDefaults> {
   static constexpr MessageInfo info{
-      .name = "UseDefaults",
-      .command = "CMD_USE_DEFAULTS",
-      .summary = "Restore the factory defaults.",
-      .id = 70, .direction = Direction::to_board,
+      .name = "UseDefaults", .command = "CMD_USE_DEFAULTS",
+      .summary = "Restore the factory defaults.", .id = 70, .direction = Direction::to_board,
       .min_size = 1, .max_size = 1,
       .effects = Effects(Effect::stores) | Effect::moves | Effect::erases};
   static constexpr Range profile_id_range{0, 4};
@@ -1249,74 +1207,53 @@ struct Meta<msg::UseDefaults> {
 template <>
 struct Meta<msg::WriteParams3> : Meta<msg::ReadParams3> {
   static constexpr MessageInfo info{
-      .name = "WriteParams3",
-      .command = "CMD_WRITE_PARAMS_3",
-      .summary = "Store the parameters of one profile and the general parameters.",
-      .id = 22, .direction = Direction::to_board,
-      .min_size = 134, .max_size = 134,
-      .since = {.board = 30},
-      .stores = "ReadParams3",
-      .effects = Effects(Effect::stores) | Effect::moves};
+      .name = "WriteParams3", .command = "CMD_WRITE_PARAMS_3",
+      .summary = "Store the parameters of one profile and the general parameters.", .id = 22,
+      .direction = Direction::to_board, .min_size = 134, .max_size = 134, .since = {.board = 30},
+      .stores = "ReadParams3", .effects = Effects(Effect::stores) | Effect::moves};
 };
 
 template <>
 struct Meta<msg::ReadParamsAnswer> : Meta<msg::ReadParams3> {
   static constexpr MessageInfo info{
-      .name = "ReadParamsAnswer",
-      .command = "CMD_READ_PARAMS",
-      .summary = "Parameters of one profile and general parameters, with the older id.",
-      .id = 82, .direction = Direction::from_board,
-      .min_size = 134, .max_size = 134};
+      .name = "ReadParamsAnswer", .command = "CMD_READ_PARAMS",
+      .summary = "Parameters of one profile and general parameters, with the older id.", .id = 82,
+      .direction = Direction::from_board, .min_size = 134, .max_size = 134};
 };
 
 template <>
 struct Meta<msg::WriteParams> : Meta<msg::ReadParams3> {
   static constexpr MessageInfo info{
-      .name = "WriteParams",
-      .command = "CMD_WRITE_PARAMS",
+      .name = "WriteParams", .command = "CMD_WRITE_PARAMS",
       .summary = "Store the parameters of one profile and the general parameters, with the older id.",
-      .id = 87, .direction = Direction::to_board,
-      .min_size = 134, .max_size = 134,
-      .stores = "ReadParams3",
-      .effects = Effects(Effect::stores) | Effect::moves};
+      .id = 87, .direction = Direction::to_board, .min_size = 134, .max_size = 134,
+      .stores = "ReadParams3", .effects = Effects(Effect::stores) | Effect::moves};
 };
 
 template <>
 struct Meta<msg::WriteParamsExt> : Meta<msg::ReadParamsExt> {
   static constexpr MessageInfo info{
-      .name = "WriteParamsExt",
-      .command = "CMD_WRITE_PARAMS_EXT",
-      .summary = "Store more parameters of one profile.",
-      .id = 34, .direction = Direction::to_board,
-      .min_size = 104, .max_size = 104,
-      .since = {.board = 30},
-      .stores = "ReadParamsExt",
+      .name = "WriteParamsExt", .command = "CMD_WRITE_PARAMS_EXT",
+      .summary = "Store more parameters of one profile.", .id = 34, .direction = Direction::to_board,
+      .min_size = 104, .max_size = 104, .since = {.board = 30}, .stores = "ReadParamsExt",
       .effects = Effects(Effect::stores) | Effect::moves};
 };
 
 template <>
 struct Meta<msg::WriteParamsExt2> : Meta<msg::ReadParamsExt2> {
   static constexpr MessageInfo info{
-      .name = "WriteParamsExt2",
-      .command = "CMD_WRITE_PARAMS_EXT2",
-      .summary = "Store the third set of parameters of one profile.",
-      .id = 63, .direction = Direction::to_board,
-      .min_size = 151, .max_size = 151,
-      .since = {.board = 30},
-      .stores = "ReadParamsExt2",
-      .effects = Effects(Effect::stores) | Effect::moves};
+      .name = "WriteParamsExt2", .command = "CMD_WRITE_PARAMS_EXT2",
+      .summary = "Store the third set of parameters of one profile.", .id = 63,
+      .direction = Direction::to_board, .min_size = 151, .max_size = 151, .since = {.board = 30},
+      .stores = "ReadParamsExt2", .effects = Effects(Effect::stores) | Effect::moves};
 };
 
 template <>
 struct Meta<msg::WriteProfileNames> : Meta<msg::ReadProfileNames> {
   static constexpr MessageInfo info{
-      .name = "WriteProfileNames",
-      .command = "CMD_WRITE_PROFILE_NAMES",
-      .summary = "Store the profile names.",
-      .id = 29, .direction = Direction::to_board,
-      .min_size = 240, .max_size = 240,
-      .since = {.board = 30},
-      .stores = "ReadProfileNames",
+      .name = "WriteProfileNames", .command = "CMD_WRITE_PROFILE_NAMES",
+      .summary = "Store the profile names.", .id = 29, .direction = Direction::to_board,
+      .min_size = 240, .max_size = 240, .since = {.board = 30}, .stores = "ReadProfileNames",
       .effects = Effects(Effect::stores)};
 };
 

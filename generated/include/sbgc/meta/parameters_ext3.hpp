@@ -85,11 +85,9 @@ struct Meta<msg::ShakeGenerator> {
 template <>
 struct Meta<msg::ReadParamsExt3> {
   static constexpr MessageInfo info{
-      .name = "ReadParamsExt3",
-      .command = "CMD_READ_PARAMS_EXT3",
-      .summary = "The fourth set of parameters of one profile.",
-      .id = 104, .direction = Direction::from_board,
-      .min_size = 221, .max_size = 221,
+      .name = "ReadParamsExt3", .command = "CMD_READ_PARAMS_EXT3",
+      .summary = "The fourth set of parameters of one profile.", .id = 104,
+      .direction = Direction::from_board, .min_size = 221, .max_size = 221,
       .since = {.firmware = 2660}};
   static constexpr Range profile_id_range{0, 4};
   static constexpr Special profile_id_special[] = {
@@ -361,14 +359,10 @@ template <>
 struct Meta<msg::ReadParamsExt3Request> {
   static constexpr const char* answers[] = {"ReadParamsExt3"};
   static constexpr MessageInfo info{
-      .name = "ReadParamsExt3Request",
-      .command = "CMD_READ_PARAMS_EXT3",
-      .summary = "Request the fourth set of parameters of one profile.",
-      .id = 104, .direction = Direction::to_board,
-      .min_size = 1, .max_size = 1,
-      .since = {.firmware = 2660},
-      .answers = answers,
-      .effects = Effects(Effect::reads)};
+      .name = "ReadParamsExt3Request", .command = "CMD_READ_PARAMS_EXT3",
+      .summary = "Request the fourth set of parameters of one profile.", .id = 104,
+      .direction = Direction::to_board, .min_size = 1, .max_size = 1, .since = {.firmware = 2660},
+      .answers = answers, .effects = Effects(Effect::reads)};
   static constexpr Range profile_id_range{0, 4};
   static constexpr Special profile_id_special[] = {
       {255, "the active profile"},
@@ -389,13 +383,10 @@ struct Meta<msg::ReadParamsExt3Request> {
 template <>
 struct Meta<msg::WriteParamsExt3> : Meta<msg::ReadParamsExt3> {
   static constexpr MessageInfo info{
-      .name = "WriteParamsExt3",
-      .command = "CMD_WRITE_PARAMS_EXT3",
-      .summary = "Store the fourth set of parameters of one profile.",
-      .id = 105, .direction = Direction::to_board,
-      .min_size = 221, .max_size = 221,
-      .since = {.firmware = 2660},
-      .stores = "ReadParamsExt3",
+      .name = "WriteParamsExt3", .command = "CMD_WRITE_PARAMS_EXT3",
+      .summary = "Store the fourth set of parameters of one profile.", .id = 105,
+      .direction = Direction::to_board, .min_size = 221, .max_size = 221,
+      .since = {.firmware = 2660}, .stores = "ReadParamsExt3",
       .effects = Effects(Effect::stores) | Effect::moves};
 };
 

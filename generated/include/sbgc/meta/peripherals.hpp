@@ -16,13 +16,10 @@ namespace sbgc {
 template <>
 struct Meta<msg::BeepSound> {
   static constexpr MessageInfo info{
-      .name = "BeepSound",
-      .command = "CMD_BEEP_SOUND",
-      .summary = "Play a melody through the motors, or a standard sound.",
-      .id = 89, .direction = Direction::to_board,
-      .min_size = 12, .max_size = 112,
-      .since = {.firmware = 2590, .board = 30},
-      .effects = Effects(Effect::sets)};
+      .name = "BeepSound", .command = "CMD_BEEP_SOUND",
+      .summary = "Play a melody through the motors, or a standard sound.", .id = 89,
+      .direction = Direction::to_board, .min_size = 12, .max_size = 112,
+      .since = {.firmware = 2590, .board = 30}, .effects = Effects(Effect::sets)};
   static constexpr Range note_length_range{1, 255};
   static constexpr Special note_length_special[] = {
       {0, "without meaning unless a custom melody is played"},
@@ -71,11 +68,8 @@ struct Meta<msg::BeepSound> {
 template <>
 struct Meta<msg::TriggerPin> {
   static constexpr MessageInfo info{
-      .name = "TriggerPin",
-      .command = "CMD_TRIGGER_PIN",
-      .summary = "Switch an output pin.",
-      .id = 84, .direction = Direction::to_board,
-      .min_size = 2, .max_size = 2,
+      .name = "TriggerPin", .command = "CMD_TRIGGER_PIN", .summary = "Switch an output pin.",
+      .id = 84, .direction = Direction::to_board, .min_size = 2, .max_size = 2,
       .effects = Effects(Effect::sets)};
   static constexpr FieldInfo fields[] = {
       {.name = "pin_id", .spec_name = "PIN_ID", .summary = "The pin."},
@@ -95,13 +89,9 @@ struct Meta<msg::TriggerPin> {
 template <>
 struct Meta<msg::ServoOut> {
   static constexpr MessageInfo info{
-      .name = "ServoOut",
-      .command = "CMD_SERVO_OUT",
-      .summary = "Send PWM signals to eight servos.",
-      .id = 36, .direction = Direction::to_board,
-      .min_size = 16, .max_size = 16,
-      .since = {.board = 30},
-      .effects = Effects(Effect::moves)};
+      .name = "ServoOut", .command = "CMD_SERVO_OUT", .summary = "Send PWM signals to eight servos.",
+      .id = 36, .direction = Direction::to_board, .min_size = 16, .max_size = 16,
+      .since = {.board = 30}, .effects = Effects(Effect::moves)};
   static constexpr Range servo_time_range{-1, 20000};
   static constexpr Special servo_time_special[] = {
       {-1, "the pin is set free and floats"},
@@ -124,12 +114,9 @@ struct Meta<msg::ServoOut> {
 template <>
 struct Meta<msg::ServoOutFour> {
   static constexpr MessageInfo info{
-      .name = "ServoOutFour",
-      .command = "CMD_SERVO_OUT",
-      .summary = "Send PWM signals to the servos 1 to 4.",
-      .id = 36, .direction = Direction::to_board,
-      .min_size = 8, .max_size = 8,
-      .since = {.board = 30},
+      .name = "ServoOutFour", .command = "CMD_SERVO_OUT",
+      .summary = "Send PWM signals to the servos 1 to 4.", .id = 36,
+      .direction = Direction::to_board, .min_size = 8, .max_size = 8, .since = {.board = 30},
       .effects = Effects(Effect::moves)};
   static constexpr Range servo_time_range{-1, 20000};
   static constexpr Special servo_time_special[] = {
@@ -153,12 +140,9 @@ struct Meta<msg::ServoOutFour> {
 template <>
 struct Meta<msg::ServoOutExt> {
   static constexpr MessageInfo info{
-      .name = "ServoOutExt",
-      .command = "CMD_SERVO_OUT_EXT",
-      .summary = "Send PWM signals to servos of the board and of its CAN motor drivers.",
-      .id = 133, .direction = Direction::to_board,
-      .min_size = 4, .max_size = 68,
-      .since = {.firmware = 2732},
+      .name = "ServoOutExt", .command = "CMD_SERVO_OUT_EXT",
+      .summary = "Send PWM signals to servos of the board and of its CAN motor drivers.", .id = 133,
+      .direction = Direction::to_board, .min_size = 4, .max_size = 68, .since = {.firmware = 2732},
       .effects = Effects(Effect::moves)};
   static constexpr Range servo_time_range{-1, 20000};
   static constexpr Special servo_time_special[] = {
@@ -186,12 +170,9 @@ struct Meta<msg::ServoOutExt> {
 template <>
 struct Meta<msg::I2cWriteRegBuf> {
   static constexpr MessageInfo info{
-      .name = "I2cWriteRegBuf",
-      .command = "CMD_I2C_WRITE_REG_BUF",
-      .summary = "Write to a device on an I2C bus.",
-      .id = 39, .direction = Direction::to_board,
-      .min_size = 2, .max_size = 255,
-      .since = {.board = 30},
+      .name = "I2cWriteRegBuf", .command = "CMD_I2C_WRITE_REG_BUF",
+      .summary = "Write to a device on an I2C bus.", .id = 39, .direction = Direction::to_board,
+      .min_size = 2, .max_size = 255, .since = {.board = 30},
       .effects = Effects(Effect::sets) | Effect::stores};
   static constexpr FieldInfo fields[] = {
       {.name = "device_addr", .spec_name = "DEVICE_ADDR", .summary = "The device."},
@@ -214,12 +195,9 @@ struct Meta<msg::I2cWriteRegBuf> {
 template <>
 struct Meta<msg::I2cReadRegBuf> {
   static constexpr MessageInfo info{
-      .name = "I2cReadRegBuf",
-      .command = "CMD_I2C_READ_REG_BUF",
-      .summary = "Data from a device on an I2C bus.",
-      .id = 40, .direction = Direction::from_board,
-      .min_size = 0, .max_size = 255,
-      .since = {.board = 30}};
+      .name = "I2cReadRegBuf", .command = "CMD_I2C_READ_REG_BUF",
+      .summary = "Data from a device on an I2C bus.", .id = 40, .direction = Direction::from_board,
+      .min_size = 0, .max_size = 255, .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA",
        .summary = "The data, 1 to 255 bytes: as many as requested.", .max_count = 255},
@@ -237,13 +215,9 @@ template <>
 struct Meta<msg::I2cReadRegBufRequest> {
   static constexpr const char* answers[] = {"I2cReadRegBuf"};
   static constexpr MessageInfo info{
-      .name = "I2cReadRegBufRequest",
-      .command = "CMD_I2C_READ_REG_BUF",
-      .summary = "Read from a device on an I2C bus.",
-      .id = 40, .direction = Direction::to_board,
-      .min_size = 3, .max_size = 3,
-      .since = {.board = 30},
-      .answers = answers,
+      .name = "I2cReadRegBufRequest", .command = "CMD_I2C_READ_REG_BUF",
+      .summary = "Read from a device on an I2C bus.", .id = 40, .direction = Direction::to_board,
+      .min_size = 3, .max_size = 3, .since = {.board = 30}, .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr Range data_len_range{1, 255};
   static constexpr FieldInfo fields[] = {
@@ -269,14 +243,9 @@ template <>
 struct Meta<msg::I2cReadRegBufRequestNoRegister> {
   static constexpr const char* answers[] = {"I2cReadRegBuf"};
   static constexpr MessageInfo info{
-      .name = "I2cReadRegBufRequestNoRegister",
-      .command = "CMD_I2C_READ_REG_BUF",
-      .summary = "Read from a device without registers.",
-      .id = 40, .direction = Direction::to_board,
-      .min_size = 2, .max_size = 2,
-      .since = {.board = 30},
-      .unconfirmed = true,
-      .answers = answers,
+      .name = "I2cReadRegBufRequestNoRegister", .command = "CMD_I2C_READ_REG_BUF",
+      .summary = "Read from a device without registers.", .id = 40, .direction = Direction::to_board,
+      .min_size = 2, .max_size = 2, .since = {.board = 30}, .unconfirmed = true, .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr Range data_len_range{1, 255};
   static constexpr FieldInfo fields[] = {
@@ -299,15 +268,10 @@ template <>
 struct Meta<msg::I2cReadRegBufRequestWideRegister> {
   static constexpr const char* answers[] = {"I2cReadRegBuf"};
   static constexpr MessageInfo info{
-      .name = "I2cReadRegBufRequestWideRegister",
-      .command = "CMD_I2C_READ_REG_BUF",
-      .summary = "Read from a device with 16-bit register addresses.",
-      .id = 40, .direction = Direction::to_board,
-      .min_size = 4, .max_size = 4,
-      .since = {.board = 30},
-      .unconfirmed = true,
-      .answers = answers,
-      .effects = Effects(Effect::reads)};
+      .name = "I2cReadRegBufRequestWideRegister", .command = "CMD_I2C_READ_REG_BUF",
+      .summary = "Read from a device with 16-bit register addresses.", .id = 40,
+      .direction = Direction::to_board, .min_size = 4, .max_size = 4, .since = {.board = 30},
+      .unconfirmed = true, .answers = answers, .effects = Effects(Effect::reads)};
   static constexpr Range data_len_range{1, 255};
   static constexpr FieldInfo fields[] = {
       {.name = "device_addr", .spec_name = "DEVICE_ADDR", .summary = "The device."},
@@ -331,11 +295,9 @@ struct Meta<msg::I2cReadRegBufRequestWideRegister> {
 template <>
 struct Meta<msg::ApiVirtChControl> {
   static constexpr MessageInfo info{
-      .name = "ApiVirtChControl",
-      .command = "CMD_API_VIRT_CH_CONTROL",
+      .name = "ApiVirtChControl", .command = "CMD_API_VIRT_CH_CONTROL",
       .summary = "Set the host's virtual RC channels, which can control the camera and more.",
-      .id = 45, .direction = Direction::to_board,
-      .min_size = 2, .max_size = 64,
+      .id = 45, .direction = Direction::to_board, .min_size = 2, .max_size = 64,
       .since = {.board = 30},
       .effects = Effects(Effect::sets) | Effect::stores | Effect::moves | Effect::restarts};
   static constexpr Range val_ch_range{-500, 500};
@@ -360,11 +322,9 @@ struct Meta<msg::ApiVirtChControl> {
 template <>
 struct Meta<msg::ApiVirtChHighRes> {
   static constexpr MessageInfo info{
-      .name = "ApiVirtChHighRes",
-      .command = "CMD_API_VIRT_CH_HIGH_RES",
+      .name = "ApiVirtChHighRes", .command = "CMD_API_VIRT_CH_HIGH_RES",
       .summary = "Set the host's virtual RC channels in high resolution; they can control the camera and more.",
-      .id = 116, .direction = Direction::to_board,
-      .min_size = 2, .max_size = 64,
+      .id = 116, .direction = Direction::to_board, .min_size = 2, .max_size = 64,
       .since = {.firmware = 2687},
       .effects = Effects(Effect::sets) | Effect::stores | Effect::moves | Effect::restarts};
   static constexpr Range val_ch_range{-16384, 16384};
@@ -389,12 +349,9 @@ struct Meta<msg::ApiVirtChHighRes> {
 template <>
 struct Meta<msg::ReadRcInputs> {
   static constexpr MessageInfo info{
-      .name = "ReadRcInputs",
-      .command = "CMD_READ_RC_INPUTS",
-      .summary = "RC signals of selected inputs.",
-      .id = 100, .direction = Direction::from_board,
-      .min_size = 0, .max_size = 254,
-      .since = {.firmware = 2600}};
+      .name = "ReadRcInputs", .command = "CMD_READ_RC_INPUTS",
+      .summary = "RC signals of selected inputs.", .id = 100, .direction = Direction::from_board,
+      .min_size = 0, .max_size = 254, .since = {.firmware = 2600}};
   static constexpr Range rc_val_range{-16384, 16384};
   static constexpr Special rc_val_special[] = {
       {-32768, "undefined"},
@@ -418,14 +375,10 @@ template <>
 struct Meta<msg::ReadRcInputsRequest> {
   static constexpr const char* answers[] = {"ReadRcInputs"};
   static constexpr MessageInfo info{
-      .name = "ReadRcInputsRequest",
-      .command = "CMD_READ_RC_INPUTS",
-      .summary = "Request the RC signals of selected inputs.",
-      .id = 100, .direction = Direction::to_board,
-      .min_size = 2, .max_size = 129,
-      .since = {.firmware = 2600},
-      .answers = answers,
-      .effects = Effects(Effect::sets)};
+      .name = "ReadRcInputsRequest", .command = "CMD_READ_RC_INPUTS",
+      .summary = "Request the RC signals of selected inputs.", .id = 100,
+      .direction = Direction::to_board, .min_size = 2, .max_size = 129, .since = {.firmware = 2600},
+      .answers = answers, .effects = Effects(Effect::sets)};
   static constexpr FieldInfo fields[] = {
       {.name = "cfg_flags", .spec_name = "CFG_FLAGS", .summary = "Options."},
       {.name = "rc_src", .spec_name = "RC_SRC",

@@ -286,13 +286,9 @@ template <>
 struct Meta<msg::RealtimeData> {
   static constexpr const char* answers[] = {"RealtimeData3"};
   static constexpr MessageInfo info{
-      .name = "RealtimeData",
-      .command = "CMD_REALTIME_DATA",
-      .summary = "Request live data, with the older id.",
-      .id = 68, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 0,
-      .answers = answers,
-      .effects = Effects(Effect::reads)};
+      .name = "RealtimeData", .command = "CMD_REALTIME_DATA",
+      .summary = "Request live data, with the older id.", .id = 68, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 0, .answers = answers, .effects = Effects(Effect::reads)};
 
   static constexpr void visit(auto&, auto&&) {
   }
@@ -301,12 +297,8 @@ struct Meta<msg::RealtimeData> {
 template <>
 struct Meta<msg::RealtimeData3> {
   static constexpr MessageInfo info{
-      .name = "RealtimeData3",
-      .command = "CMD_REALTIME_DATA_3",
-      .summary = "Live data.",
-      .id = 23, .direction = Direction::from_board,
-      .min_size = 63, .max_size = 63,
-      .since = {.board = 30}};
+      .name = "RealtimeData3", .command = "CMD_REALTIME_DATA_3", .summary = "Live data.", .id = 23,
+      .direction = Direction::from_board, .min_size = 63, .max_size = 63, .since = {.board = 30}};
   static constexpr Range rc_range{1000, 2000};
   static constexpr Special rc_special[] = {
       {-10000, "no signal"},
@@ -425,14 +417,9 @@ template <>
 struct Meta<msg::RealtimeData3Request> {
   static constexpr const char* answers[] = {"RealtimeData3"};
   static constexpr MessageInfo info{
-      .name = "RealtimeData3Request",
-      .command = "CMD_REALTIME_DATA_3",
-      .summary = "Request live data.",
-      .id = 23, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 0,
-      .since = {.board = 30},
-      .answers = answers,
-      .effects = Effects(Effect::reads)};
+      .name = "RealtimeData3Request", .command = "CMD_REALTIME_DATA_3",
+      .summary = "Request live data.", .id = 23, .direction = Direction::to_board, .min_size = 0,
+      .max_size = 0, .since = {.board = 30}, .answers = answers, .effects = Effects(Effect::reads)};
 
   static constexpr void visit(auto&, auto&&) {
   }
@@ -441,12 +428,9 @@ struct Meta<msg::RealtimeData3Request> {
 template <>
 struct Meta<msg::RealtimeData4> {
   static constexpr MessageInfo info{
-      .name = "RealtimeData4",
-      .command = "CMD_REALTIME_DATA_4",
-      .summary = "Live data with joint angles, currents and temperatures.",
-      .id = 25, .direction = Direction::from_board,
-      .min_size = 124, .max_size = 124,
-      .since = {.board = 30}};
+      .name = "RealtimeData4", .command = "CMD_REALTIME_DATA_4",
+      .summary = "Live data with joint angles, currents and temperatures.", .id = 25,
+      .direction = Direction::from_board, .min_size = 124, .max_size = 124, .since = {.board = 30}};
   static constexpr Range rc_range{1000, 2000};
   static constexpr Special rc_special[] = {
       {-10000, "no signal"},
@@ -638,13 +622,9 @@ template <>
 struct Meta<msg::RealtimeData4Request> {
   static constexpr const char* answers[] = {"RealtimeData4"};
   static constexpr MessageInfo info{
-      .name = "RealtimeData4Request",
-      .command = "CMD_REALTIME_DATA_4",
-      .summary = "Request the longer live data.",
-      .id = 25, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 0,
-      .since = {.board = 30},
-      .answers = answers,
+      .name = "RealtimeData4Request", .command = "CMD_REALTIME_DATA_4",
+      .summary = "Request the longer live data.", .id = 25, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 0, .since = {.board = 30}, .answers = answers,
       .effects = Effects(Effect::reads)};
 
   static constexpr void visit(auto&, auto&&) {
@@ -654,12 +634,9 @@ struct Meta<msg::RealtimeData4Request> {
 template <>
 struct Meta<msg::RealtimeDataCustom> {
   static constexpr MessageInfo info{
-      .name = "RealtimeDataCustom",
-      .command = "CMD_REALTIME_DATA_CUSTOM",
-      .summary = "Live data of the requested blocks.",
-      .id = 88, .direction = Direction::from_board,
-      .min_size = 2, .max_size = 255,
-      .since = {.firmware = 2590, .board = 30}};
+      .name = "RealtimeDataCustom", .command = "CMD_REALTIME_DATA_CUSTOM",
+      .summary = "Live data of the requested blocks.", .id = 88, .direction = Direction::from_board,
+      .min_size = 2, .max_size = 255, .since = {.firmware = 2590, .board = 30}};
   static constexpr Range rc_data_range{-16384, 16384};
   static constexpr Special rc_data_special[] = {
       {-32768, "undefined"},
@@ -830,13 +807,10 @@ template <>
 struct Meta<msg::RealtimeDataCustomRequest> {
   static constexpr const char* answers[] = {"RealtimeDataCustom"};
   static constexpr MessageInfo info{
-      .name = "RealtimeDataCustomRequest",
-      .command = "CMD_REALTIME_DATA_CUSTOM",
-      .summary = "Request live data of the blocks in FLAGS.",
-      .id = 88, .direction = Direction::to_board,
-      .min_size = 10, .max_size = 10,
-      .since = {.firmware = 2590, .board = 30},
-      .answers = answers,
+      .name = "RealtimeDataCustomRequest", .command = "CMD_REALTIME_DATA_CUSTOM",
+      .summary = "Request live data of the blocks in FLAGS.", .id = 88,
+      .direction = Direction::to_board, .min_size = 10, .max_size = 10,
+      .since = {.firmware = 2590, .board = 30}, .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr FieldInfo fields[] = {
       {.name = "flags", .spec_name = "FLAGS", .summary = "Blocks to send."},
@@ -857,12 +831,9 @@ struct Meta<msg::RealtimeDataCustomRequest> {
 template <>
 struct Meta<msg::RealtimeDataCustom2> {
   static constexpr MessageInfo info{
-      .name = "RealtimeDataCustom2",
-      .command = "CMD_REALTIME_DATA_CUSTOM2",
-      .summary = "More live data of the requested blocks.",
-      .id = 139, .direction = Direction::from_board,
-      .min_size = 2, .max_size = 52,
-      .since = {.firmware = 2742}};
+      .name = "RealtimeDataCustom2", .command = "CMD_REALTIME_DATA_CUSTOM2",
+      .summary = "More live data of the requested blocks.", .id = 139,
+      .direction = Direction::from_board, .min_size = 2, .max_size = 52, .since = {.firmware = 2742}};
   static constexpr FieldInfo fields[] = {
       {.name = "timestamp_ms", .spec_name = "TIMESTAMP_MS", .summary = "Time of the sample.",
        .unit = &UnitMeta<msg::MillisecondClock>::info},
@@ -911,14 +882,10 @@ template <>
 struct Meta<msg::RealtimeDataCustom2Request> {
   static constexpr const char* answers[] = {"RealtimeDataCustom2"};
   static constexpr MessageInfo info{
-      .name = "RealtimeDataCustom2Request",
-      .command = "CMD_REALTIME_DATA_CUSTOM2",
-      .summary = "Request live data of the blocks in FLAGS.",
-      .id = 139, .direction = Direction::to_board,
-      .min_size = 10, .max_size = 10,
-      .since = {.firmware = 2742},
-      .answers = answers,
-      .effects = Effects(Effect::reads)};
+      .name = "RealtimeDataCustom2Request", .command = "CMD_REALTIME_DATA_CUSTOM2",
+      .summary = "Request live data of the blocks in FLAGS.", .id = 139,
+      .direction = Direction::to_board, .min_size = 10, .max_size = 10, .since = {.firmware = 2742},
+      .answers = answers, .effects = Effects(Effect::reads)};
   static constexpr FieldInfo fields[] = {
       {.name = "flags", .spec_name = "FLAGS", .summary = "Blocks to send."},
       {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
@@ -938,13 +905,10 @@ struct Meta<msg::RealtimeDataCustom2Request> {
 template <>
 struct Meta<msg::DataStreamInterval> {
   static constexpr MessageInfo info{
-      .name = "DataStreamInterval",
-      .command = "CMD_DATA_STREAM_INTERVAL",
+      .name = "DataStreamInterval", .command = "CMD_DATA_STREAM_INTERVAL",
       .summary = "Start, change or end a data stream: messages that the board sends at a fixed rate.",
-      .id = 85, .direction = Direction::to_board,
-      .min_size = 21, .max_size = 21,
-      .since = {.firmware = 2590, .board = 30},
-      .effects = Effects(Effect::sets)};
+      .id = 85, .direction = Direction::to_board, .min_size = 21, .max_size = 21,
+      .since = {.firmware = 2590, .board = 30}, .effects = Effects(Effect::sets)};
   static constexpr Special interval_ms_special[] = {
       {0, "ends the stream"},
       {1, "a sample in every cycle, 0.8 ms"},
@@ -981,13 +945,9 @@ struct Meta<msg::DataStreamInterval> {
 template <>
 struct Meta<msg::CanDrvTelemetry> {
   static constexpr MessageInfo info{
-      .name = "CanDrvTelemetry",
-      .command = "CMD_CAN_DRV_TELEMETRY",
-      .summary = "Live data of a CAN motor driver.",
-      .id = 127, .direction = Direction::from_board,
-      .min_size = 3, .max_size = 35,
-      .since = {.firmware = 2720, .board = 36},
-      .unconfirmed = true};
+      .name = "CanDrvTelemetry", .command = "CMD_CAN_DRV_TELEMETRY",
+      .summary = "Live data of a CAN motor driver.", .id = 127, .direction = Direction::from_board,
+      .min_size = 3, .max_size = 35, .since = {.firmware = 2720, .board = 36}, .unconfirmed = true};
   static constexpr Range drv_id_range{0, 6};
   static constexpr FieldInfo fields[] = {
       {.name = "drv_id", .spec_name = "DRV_ID", .summary = "The driver.", .range = &drv_id_range},
@@ -1072,12 +1032,9 @@ struct Meta<msg::CanDrvTelemetry> {
 template <>
 struct Meta<msg::CanDrvState> {
   static constexpr MessageInfo info{
-      .name = "CanDrvState",
-      .command = "CMD_CAN_DRV_STATE",
-      .summary = "Undocumented body from the board.",
-      .id = 98, .direction = Direction::from_board,
-      .min_size = 0, .max_size = 255,
-      .since = {.firmware = 2600}};
+      .name = "CanDrvState", .command = "CMD_CAN_DRV_STATE",
+      .summary = "Undocumented body from the board.", .id = 98, .direction = Direction::from_board,
+      .min_size = 0, .max_size = 255, .since = {.firmware = 2600}};
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
@@ -1093,12 +1050,9 @@ struct Meta<msg::CanDrvState> {
 template <>
 struct Meta<msg::CanDrvStateRequest> {
   static constexpr MessageInfo info{
-      .name = "CanDrvStateRequest",
-      .command = "CMD_CAN_DRV_STATE",
-      .summary = "Undocumented body to the board.",
-      .id = 98, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 255,
-      .since = {.firmware = 2600},
+      .name = "CanDrvStateRequest", .command = "CMD_CAN_DRV_STATE",
+      .summary = "Undocumented body to the board.", .id = 98, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 255, .since = {.firmware = 2600},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
@@ -1115,12 +1069,9 @@ struct Meta<msg::CanDrvStateRequest> {
 template <>
 struct Meta<msg::RealtimeDataCanDrv> {
   static constexpr MessageInfo info{
-      .name = "RealtimeDataCanDrv",
-      .command = "CMD_REALTIME_DATA_CAN_DRV",
-      .summary = "Undocumented body from the board.",
-      .id = 101, .direction = Direction::from_board,
-      .min_size = 0, .max_size = 255,
-      .since = {.firmware = 2600}};
+      .name = "RealtimeDataCanDrv", .command = "CMD_REALTIME_DATA_CAN_DRV",
+      .summary = "Undocumented body from the board.", .id = 101, .direction = Direction::from_board,
+      .min_size = 0, .max_size = 255, .since = {.firmware = 2600}};
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
@@ -1136,12 +1087,9 @@ struct Meta<msg::RealtimeDataCanDrv> {
 template <>
 struct Meta<msg::RealtimeDataCanDrvRequest> {
   static constexpr MessageInfo info{
-      .name = "RealtimeDataCanDrvRequest",
-      .command = "CMD_REALTIME_DATA_CAN_DRV",
-      .summary = "Undocumented body to the board.",
-      .id = 101, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 255,
-      .since = {.firmware = 2600},
+      .name = "RealtimeDataCanDrvRequest", .command = "CMD_REALTIME_DATA_CAN_DRV",
+      .summary = "Undocumented body to the board.", .id = 101, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 255, .since = {.firmware = 2600},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},

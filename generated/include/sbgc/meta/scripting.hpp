@@ -16,11 +16,8 @@ namespace sbgc {
 template <>
 struct Meta<msg::RunScript> {
   static constexpr MessageInfo info{
-      .name = "RunScript",
-      .command = "CMD_RUN_SCRIPT",
-      .summary = "Start or stop a script.",
-      .id = 57, .direction = Direction::to_board,
-      .min_size = 34, .max_size = 34,
+      .name = "RunScript", .command = "CMD_RUN_SCRIPT", .summary = "Start or stop a script.",
+      .id = 57, .direction = Direction::to_board, .min_size = 34, .max_size = 34,
       .since = {.board = 30},
       .effects = Effects(Effect::sets) | Effect::stores | Effect::moves | Effect::restarts};
   static constexpr FieldInfo fields[] = {
@@ -45,12 +42,9 @@ struct Meta<msg::RunScript> {
 template <>
 struct Meta<msg::ScriptDebug> {
   static constexpr MessageInfo info{
-      .name = "ScriptDebug",
-      .command = "CMD_SCRIPT_DEBUG",
-      .summary = "Progress of a script started with debugging.",
-      .id = 58, .direction = Direction::from_board,
-      .min_size = 3, .max_size = 3,
-      .since = {.board = 30}};
+      .name = "ScriptDebug", .command = "CMD_SCRIPT_DEBUG",
+      .summary = "Progress of a script started with debugging.", .id = 58,
+      .direction = Direction::from_board, .min_size = 3, .max_size = 3, .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "cmd_count", .spec_name = "CMD_COUNT",
        .summary = "Number of the running script command."},

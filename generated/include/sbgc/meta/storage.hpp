@@ -16,12 +16,9 @@ namespace sbgc {
 template <>
 struct Meta<msg::EepromWrite> {
   static constexpr MessageInfo info{
-      .name = "EepromWrite",
-      .command = "CMD_EEPROM_WRITE",
-      .summary = "Write a block to the EEPROM.",
-      .id = 47, .direction = Direction::to_board,
-      .min_size = 4, .max_size = 196,
-      .since = {.board = 30},
+      .name = "EepromWrite", .command = "CMD_EEPROM_WRITE",
+      .summary = "Write a block to the EEPROM.", .id = 47, .direction = Direction::to_board,
+      .min_size = 4, .max_size = 196, .since = {.board = 30},
       .effects = Effects(Effect::stores) | Effect::moves};
   static constexpr FieldInfo fields[] = {
       {.name = "addr", .spec_name = "ADDR", .summary = "Address to write to.", .align = 64},
@@ -42,12 +39,8 @@ struct Meta<msg::EepromWrite> {
 template <>
 struct Meta<msg::ReadFile> {
   static constexpr MessageInfo info{
-      .name = "ReadFile",
-      .command = "CMD_READ_FILE",
-      .summary = "Part of a file.",
-      .id = 53, .direction = Direction::from_board,
-      .min_size = 4, .max_size = 255,
-      .since = {.board = 30}};
+      .name = "ReadFile", .command = "CMD_READ_FILE", .summary = "Part of a file.", .id = 53,
+      .direction = Direction::from_board, .min_size = 4, .max_size = 255, .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "file_size", .spec_name = "FILE_SIZE", .summary = "Size of the whole file.",
        .unit = &UnitMeta<msg::ByteCount>::info},
@@ -73,12 +66,9 @@ struct Meta<msg::ReadFile> {
 template <>
 struct Meta<msg::ReadFileError> {
   static constexpr MessageInfo info{
-      .name = "ReadFileError",
-      .command = "CMD_READ_FILE",
-      .summary = "Why a file could not be read.",
-      .id = 53, .direction = Direction::from_board,
-      .min_size = 1, .max_size = 1,
-      .since = {.board = 30}};
+      .name = "ReadFileError", .command = "CMD_READ_FILE",
+      .summary = "Why a file could not be read.", .id = 53, .direction = Direction::from_board,
+      .min_size = 1, .max_size = 1, .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "err_code", .spec_name = "ERR_CODE", .summary = "Error code."},
   };
@@ -95,14 +85,9 @@ template <>
 struct Meta<msg::ReadFileRequest> {
   static constexpr const char* answers[] = {"ReadFile", "ReadFileError"};
   static constexpr MessageInfo info{
-      .name = "ReadFileRequest",
-      .command = "CMD_READ_FILE",
-      .summary = "Read part of a file.",
-      .id = 53, .direction = Direction::to_board,
-      .min_size = 20, .max_size = 20,
-      .since = {.board = 30},
-      .answers = answers,
-      .effects = Effects(Effect::reads)};
+      .name = "ReadFileRequest", .command = "CMD_READ_FILE", .summary = "Read part of a file.",
+      .id = 53, .direction = Direction::to_board, .min_size = 20, .max_size = 20,
+      .since = {.board = 30}, .answers = answers, .effects = Effects(Effect::reads)};
   static constexpr Range max_data_size_range{0, 251};
   static constexpr FieldInfo fields[] = {
       {.name = "file_id", .spec_name = "FILE_ID", .summary = "File id."},
@@ -132,12 +117,9 @@ struct Meta<msg::ReadFileRequest> {
 template <>
 struct Meta<msg::WriteFile> {
   static constexpr MessageInfo info{
-      .name = "WriteFile",
-      .command = "CMD_WRITE_FILE",
-      .summary = "Write part of a file; without data, delete it.",
-      .id = 54, .direction = Direction::to_board,
-      .min_size = 6, .max_size = 255,
-      .since = {.board = 30},
+      .name = "WriteFile", .command = "CMD_WRITE_FILE",
+      .summary = "Write part of a file; without data, delete it.", .id = 54,
+      .direction = Direction::to_board, .min_size = 6, .max_size = 255, .since = {.board = 30},
       .effects = Effects(Effect::stores) | Effect::erases};
   static constexpr FieldInfo fields[] = {
       {.name = "file_id", .spec_name = "FILE_ID", .summary = "File id; a missing file is created."},
@@ -166,12 +148,8 @@ struct Meta<msg::WriteFile> {
 template <>
 struct Meta<msg::FsClearAll> {
   static constexpr MessageInfo info{
-      .name = "FsClearAll",
-      .command = "CMD_FS_CLEAR_ALL",
-      .summary = "Delete all files.",
-      .id = 55, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 0,
-      .since = {.board = 30},
+      .name = "FsClearAll", .command = "CMD_FS_CLEAR_ALL", .summary = "Delete all files.", .id = 55,
+      .direction = Direction::to_board, .min_size = 0, .max_size = 0, .since = {.board = 30},
       .effects = Effects(Effect::erases)};
 
   static constexpr void visit(auto&, auto&&) {
@@ -181,11 +159,8 @@ struct Meta<msg::FsClearAll> {
 template <>
 struct Meta<msg::EepromRead> {
   static constexpr MessageInfo info{
-      .name = "EepromRead",
-      .command = "CMD_EEPROM_READ",
-      .summary = "A block of the EEPROM.",
-      .id = 48, .direction = Direction::from_board,
-      .min_size = 4, .max_size = 196,
+      .name = "EepromRead", .command = "CMD_EEPROM_READ", .summary = "A block of the EEPROM.",
+      .id = 48, .direction = Direction::from_board, .min_size = 4, .max_size = 196,
       .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "addr", .spec_name = "ADDR", .summary = "Address of the block.", .align = 64},
@@ -207,13 +182,9 @@ template <>
 struct Meta<msg::EepromReadRequest> {
   static constexpr const char* answers[] = {"EepromRead"};
   static constexpr MessageInfo info{
-      .name = "EepromReadRequest",
-      .command = "CMD_EEPROM_READ",
-      .summary = "Read a block of the EEPROM.",
-      .id = 48, .direction = Direction::to_board,
-      .min_size = 6, .max_size = 6,
-      .since = {.board = 30},
-      .answers = answers,
+      .name = "EepromReadRequest", .command = "CMD_EEPROM_READ",
+      .summary = "Read a block of the EEPROM.", .id = 48, .direction = Direction::to_board,
+      .min_size = 6, .max_size = 6, .since = {.board = 30}, .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr Range size_range{0, 192};
   static constexpr FieldInfo fields[] = {
@@ -236,12 +207,9 @@ struct Meta<msg::EepromReadRequest> {
 template <>
 struct Meta<msg::ReadExternalData> {
   static constexpr MessageInfo info{
-      .name = "ReadExternalData",
-      .command = "CMD_READ_EXTERNAL_DATA",
-      .summary = "User data in the EEPROM.",
-      .id = 42, .direction = Direction::from_board,
-      .min_size = 128, .max_size = 128,
-      .since = {.board = 30}};
+      .name = "ReadExternalData", .command = "CMD_READ_EXTERNAL_DATA",
+      .summary = "User data in the EEPROM.", .id = 42, .direction = Direction::from_board,
+      .min_size = 128, .max_size = 128, .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "data", .summary = "The user data."},
   };
@@ -259,13 +227,9 @@ template <>
 struct Meta<msg::ReadExternalDataRequest> {
   static constexpr const char* answers[] = {"ReadExternalData"};
   static constexpr MessageInfo info{
-      .name = "ReadExternalDataRequest",
-      .command = "CMD_READ_EXTERNAL_DATA",
-      .summary = "Request the user data in the EEPROM.",
-      .id = 42, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 0,
-      .since = {.board = 30},
-      .answers = answers,
+      .name = "ReadExternalDataRequest", .command = "CMD_READ_EXTERNAL_DATA",
+      .summary = "Request the user data in the EEPROM.", .id = 42, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 0, .since = {.board = 30}, .answers = answers,
       .effects = Effects(Effect::reads)};
 
   static constexpr void visit(auto&, auto&&) {
@@ -275,13 +239,9 @@ struct Meta<msg::ReadExternalDataRequest> {
 template <>
 struct Meta<msg::WriteExternalData> : Meta<msg::ReadExternalData> {
   static constexpr MessageInfo info{
-      .name = "WriteExternalData",
-      .command = "CMD_WRITE_EXTERNAL_DATA",
-      .summary = "Store user data in the EEPROM.",
-      .id = 41, .direction = Direction::to_board,
-      .min_size = 128, .max_size = 128,
-      .since = {.board = 30},
-      .stores = "ReadExternalData",
+      .name = "WriteExternalData", .command = "CMD_WRITE_EXTERNAL_DATA",
+      .summary = "Store user data in the EEPROM.", .id = 41, .direction = Direction::to_board,
+      .min_size = 128, .max_size = 128, .since = {.board = 30}, .stores = "ReadExternalData",
       .effects = Effects(Effect::stores)};
 };
 

@@ -16,11 +16,8 @@ namespace sbgc {
 template <>
 struct Meta<msg::BoardInfo> {
   static constexpr MessageInfo info{
-      .name = "BoardInfo",
-      .command = "CMD_BOARD_INFO",
-      .summary = "Board version and features.",
-      .id = 86, .direction = Direction::from_board,
-      .min_size = 18, .max_size = 18};
+      .name = "BoardInfo", .command = "CMD_BOARD_INFO", .summary = "Board version and features.",
+      .id = 86, .direction = Direction::from_board, .min_size = 18, .max_size = 18};
   static constexpr Special firmware_ver_special[] = {
       {0, "unknown; the sensors are often unplugged"},
   };
@@ -80,12 +77,9 @@ template <>
 struct Meta<msg::BoardInfoRequest> {
   static constexpr const char* answers[] = {"BoardInfo"};
   static constexpr MessageInfo info{
-      .name = "BoardInfoRequest",
-      .command = "CMD_BOARD_INFO",
-      .summary = "Request the board and firmware version.",
-      .id = 86, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 0,
-      .answers = answers,
+      .name = "BoardInfoRequest", .command = "CMD_BOARD_INFO",
+      .summary = "Request the board and firmware version.", .id = 86,
+      .direction = Direction::to_board, .min_size = 0, .max_size = 0, .answers = answers,
       .effects = Effects(Effect::reads)};
 
   static constexpr void visit(auto&, auto&&) {
@@ -96,12 +90,9 @@ template <>
 struct Meta<msg::BoardInfoRequestOneByte> {
   static constexpr const char* answers[] = {"BoardInfo"};
   static constexpr MessageInfo info{
-      .name = "BoardInfoRequestOneByte",
-      .command = "CMD_BOARD_INFO",
+      .name = "BoardInfoRequestOneByte", .command = "CMD_BOARD_INFO",
       .summary = "Request the board and firmware version, with a byte that has no meaning.",
-      .id = 86, .direction = Direction::to_board,
-      .min_size = 1, .max_size = 1,
-      .answers = answers,
+      .id = 86, .direction = Direction::to_board, .min_size = 1, .max_size = 1, .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr FieldInfo fields[] = {
       {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
@@ -120,14 +111,10 @@ template <>
 struct Meta<msg::BoardInfoRequestExt> {
   static constexpr const char* answers[] = {"BoardInfo"};
   static constexpr MessageInfo info{
-      .name = "BoardInfoRequestExt",
-      .command = "CMD_BOARD_INFO",
-      .summary = "Request the board and firmware version, and configure this serial port.",
-      .id = 86, .direction = Direction::to_board,
-      .min_size = 2, .max_size = 255,
-      .secret_from = 2,
-      .answers = answers,
-      .effects = Effects(Effect::sets)};
+      .name = "BoardInfoRequestExt", .command = "CMD_BOARD_INFO",
+      .summary = "Request the board and firmware version, and configure this serial port.", .id = 86,
+      .direction = Direction::to_board, .min_size = 2, .max_size = 255, .secret_from = 2,
+      .answers = answers, .effects = Effects(Effect::sets)};
   static constexpr FieldInfo fields[] = {
       {.name = "cfg", .spec_name = "CFG",
        .summary = "On a UART, the pause between the 20-byte packets of a Bluetooth LE link; no meaning on USB.",
@@ -153,11 +140,8 @@ struct Meta<msg::BoardInfoRequestExt> {
 template <>
 struct Meta<msg::Confirm> {
   static constexpr MessageInfo info{
-      .name = "Confirm",
-      .command = "CMD_CONFIRM",
-      .summary = "The board executed a command.",
-      .id = 67, .direction = Direction::from_board,
-      .min_size = 1, .max_size = 6};
+      .name = "Confirm", .command = "CMD_CONFIRM", .summary = "The board executed a command.",
+      .id = 67, .direction = Direction::from_board, .min_size = 1, .max_size = 6};
   static constexpr Range pin_state_range{0, 1};
   static constexpr Special pin_state_special[] = {
       {-1, "the pin is unavailable"},
@@ -194,12 +178,9 @@ struct Meta<msg::Confirm> {
 template <>
 struct Meta<msg::Error> {
   static constexpr MessageInfo info{
-      .name = "Error",
-      .command = "CMD_ERROR",
-      .summary = "An error as the specification describes it.",
-      .id = 255, .direction = Direction::from_board,
-      .min_size = 5, .max_size = 5,
-      .since = {.board = 30}};
+      .name = "Error", .command = "CMD_ERROR",
+      .summary = "An error as the specification describes it.", .id = 255,
+      .direction = Direction::from_board, .min_size = 5, .max_size = 5, .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "error_code", .spec_name = "ERROR_CODE", .summary = "Error code."},
       {.name = "error_data", .spec_name = "ERROR_DATA",
@@ -219,12 +200,9 @@ struct Meta<msg::Error> {
 template <>
 struct Meta<msg::ErrorExt> {
   static constexpr MessageInfo info{
-      .name = "ErrorExt",
-      .command = "CMD_ERROR",
-      .summary = "An error as real boards send it, with the failed command.",
-      .id = 255, .direction = Direction::from_board,
-      .min_size = 6, .max_size = 6,
-      .since = {.board = 30}};
+      .name = "ErrorExt", .command = "CMD_ERROR",
+      .summary = "An error as real boards send it, with the failed command.", .id = 255,
+      .direction = Direction::from_board, .min_size = 6, .max_size = 6, .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "cmd_id", .spec_name = "CMD_ID", .summary = "The failed command."},
       {.name = "error_code", .spec_name = "ERROR_CODE", .summary = "Error code."},
@@ -248,12 +226,9 @@ struct Meta<msg::ErrorExt> {
 template <>
 struct Meta<msg::BoardInfo3> {
   static constexpr MessageInfo info{
-      .name = "BoardInfo3",
-      .command = "CMD_BOARD_INFO_3",
-      .summary = "Serial numbers, memory and scripts of the board.",
-      .id = 20, .direction = Direction::from_board,
-      .min_size = 69, .max_size = 69,
-      .since = {.board = 30}};
+      .name = "BoardInfo3", .command = "CMD_BOARD_INFO_3",
+      .summary = "Serial numbers, memory and scripts of the board.", .id = 20,
+      .direction = Direction::from_board, .min_size = 69, .max_size = 69, .since = {.board = 30}};
   static constexpr Special script_slot_size_special[] = {
       {0, "the slot is empty"},
   };
@@ -340,14 +315,10 @@ template <>
 struct Meta<msg::BoardInfo3Request> {
   static constexpr const char* answers[] = {"BoardInfo3"};
   static constexpr MessageInfo info{
-      .name = "BoardInfo3Request",
-      .command = "CMD_BOARD_INFO_3",
-      .summary = "Request serial numbers, memory and scripts of the board.",
-      .id = 20, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 0,
-      .since = {.board = 30},
-      .answers = answers,
-      .effects = Effects(Effect::reads)};
+      .name = "BoardInfo3Request", .command = "CMD_BOARD_INFO_3",
+      .summary = "Request serial numbers, memory and scripts of the board.", .id = 20,
+      .direction = Direction::to_board, .min_size = 0, .max_size = 0, .since = {.board = 30},
+      .answers = answers, .effects = Effects(Effect::reads)};
 
   static constexpr void visit(auto&, auto&&) {
   }
@@ -356,11 +327,8 @@ struct Meta<msg::BoardInfo3Request> {
 template <>
 struct Meta<msg::Reset> {
   static constexpr MessageInfo info{
-      .name = "Reset",
-      .command = "CMD_RESET",
-      .summary = "The board is about to restart.",
-      .id = 114, .direction = Direction::from_board,
-      .min_size = 0, .max_size = 0};
+      .name = "Reset", .command = "CMD_RESET", .summary = "The board is about to restart.",
+      .id = 114, .direction = Direction::from_board, .min_size = 0, .max_size = 0};
 
   static constexpr void visit(auto& value, auto&& visitor) {
     visitor(tail_field, value.tail);
@@ -370,11 +338,9 @@ struct Meta<msg::Reset> {
 template <>
 struct Meta<msg::ResetRequest> {
   static constexpr MessageInfo info{
-      .name = "ResetRequest",
-      .command = "CMD_RESET",
-      .summary = "Restart immediately, without notification.",
-      .id = 114, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 0,
+      .name = "ResetRequest", .command = "CMD_RESET",
+      .summary = "Restart immediately, without notification.", .id = 114,
+      .direction = Direction::to_board, .min_size = 0, .max_size = 0,
       .effects = Effects(Effect::restarts)};
 
   static constexpr void visit(auto&, auto&&) {
@@ -385,12 +351,9 @@ template <>
 struct Meta<msg::ResetRequestExt> {
   static constexpr const char* answers[] = {"Reset"};
   static constexpr MessageInfo info{
-      .name = "ResetRequestExt",
-      .command = "CMD_RESET",
-      .summary = "Restart after a delay, with an optional notification.",
-      .id = 114, .direction = Direction::to_board,
-      .min_size = 3, .max_size = 3,
-      .answers = answers,
+      .name = "ResetRequestExt", .command = "CMD_RESET",
+      .summary = "Restart after a delay, with an optional notification.", .id = 114,
+      .direction = Direction::to_board, .min_size = 3, .max_size = 3, .answers = answers,
       .effects = Effects(Effect::restarts)};
   static constexpr FieldInfo fields[] = {
       {.name = "confirm", .spec_name = "CONFIRM", .summary = "Whether CMD_RESET is sent back first."},
@@ -411,12 +374,9 @@ struct Meta<msg::ResetRequestExt> {
 template <>
 struct Meta<msg::BootMode3> {
   static constexpr MessageInfo info{
-      .name = "BootMode3",
-      .command = "CMD_BOOT_MODE_3",
-      .summary = "Enter the bootloader immediately, without notification.",
-      .id = 51, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 0,
-      .since = {.board = 30},
+      .name = "BootMode3", .command = "CMD_BOOT_MODE_3",
+      .summary = "Enter the bootloader immediately, without notification.", .id = 51,
+      .direction = Direction::to_board, .min_size = 0, .max_size = 0, .since = {.board = 30},
       .effects = Effects(Effect::restarts) | Effect::disconnects};
 
   static constexpr void visit(auto&, auto&&) {
@@ -427,14 +387,10 @@ template <>
 struct Meta<msg::BootMode3Ext> {
   static constexpr const char* answers[] = {"Reset"};
   static constexpr MessageInfo info{
-      .name = "BootMode3Ext",
-      .command = "CMD_BOOT_MODE_3",
-      .summary = "Enter the bootloader after a delay, with an optional notification.",
-      .id = 51, .direction = Direction::to_board,
-      .min_size = 3, .max_size = 3,
-      .since = {.board = 30},
-      .answers = answers,
-      .effects = Effects(Effect::restarts) | Effect::disconnects};
+      .name = "BootMode3Ext", .command = "CMD_BOOT_MODE_3",
+      .summary = "Enter the bootloader after a delay, with an optional notification.", .id = 51,
+      .direction = Direction::to_board, .min_size = 3, .max_size = 3, .since = {.board = 30},
+      .answers = answers, .effects = Effects(Effect::restarts) | Effect::disconnects};
   static constexpr FieldInfo fields[] = {
       {.name = "confirm", .spec_name = "CONFIRM", .summary = "Whether CMD_RESET is sent back first."},
       {.name = "delay_ms", .spec_name = "DELAY_MS", .summary = "Delay before the bootloader starts.",
@@ -454,11 +410,9 @@ struct Meta<msg::BootMode3Ext> {
 template <>
 struct Meta<msg::ReadStateVars> {
   static constexpr MessageInfo info{
-      .name = "ReadStateVars",
-      .command = "CMD_READ_STATE_VARS",
-      .summary = "Statistics of the board's whole life.",
-      .id = 111, .direction = Direction::from_board,
-      .min_size = 192, .max_size = 192,
+      .name = "ReadStateVars", .command = "CMD_READ_STATE_VARS",
+      .summary = "Statistics of the board's whole life.", .id = 111,
+      .direction = Direction::from_board, .min_size = 192, .max_size = 192,
       .since = {.firmware = 2687, .board = 36, .features = 0x40000}};
   static constexpr FieldInfo fields[] = {
       {.name = "step_signal_val", .spec_name = "STEP_SIGNAL_VAL",
@@ -541,13 +495,10 @@ template <>
 struct Meta<msg::ReadStateVarsRequest> {
   static constexpr const char* answers[] = {"ReadStateVars"};
   static constexpr MessageInfo info{
-      .name = "ReadStateVarsRequest",
-      .command = "CMD_READ_STATE_VARS",
-      .summary = "Request the statistics of the board's whole life.",
-      .id = 111, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 0,
-      .since = {.firmware = 2687, .board = 36, .features = 0x40000},
-      .answers = answers,
+      .name = "ReadStateVarsRequest", .command = "CMD_READ_STATE_VARS",
+      .summary = "Request the statistics of the board's whole life.", .id = 111,
+      .direction = Direction::to_board, .min_size = 0, .max_size = 0,
+      .since = {.firmware = 2687, .board = 36, .features = 0x40000}, .answers = answers,
       .effects = Effects(Effect::reads)};
 
   static constexpr void visit(auto&, auto&&) {
@@ -557,11 +508,8 @@ struct Meta<msg::ReadStateVarsRequest> {
 template <>
 struct Meta<msg::SignMessage> {
   static constexpr MessageInfo info{
-      .name = "SignMessage",
-      .command = "CMD_SIGN_MESSAGE",
-      .summary = "Signature of a message.",
-      .id = 50, .direction = Direction::from_board,
-      .min_size = 32, .max_size = 32,
+      .name = "SignMessage", .command = "CMD_SIGN_MESSAGE", .summary = "Signature of a message.",
+      .id = 50, .direction = Direction::from_board, .min_size = 32, .max_size = 32,
       .since = {.firmware = 2500, .board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "signature", .spec_name = "SIGNATURE", .summary = "The signature."},
@@ -580,13 +528,10 @@ template <>
 struct Meta<msg::SignMessageRequest> {
   static constexpr const char* answers[] = {"SignMessage"};
   static constexpr MessageInfo info{
-      .name = "SignMessageRequest",
-      .command = "CMD_SIGN_MESSAGE",
-      .summary = "Sign a message with the keys of the board.",
-      .id = 50, .direction = Direction::to_board,
-      .min_size = 33, .max_size = 33,
-      .since = {.firmware = 2500, .board = 30},
-      .answers = answers,
+      .name = "SignMessageRequest", .command = "CMD_SIGN_MESSAGE",
+      .summary = "Sign a message with the keys of the board.", .id = 50,
+      .direction = Direction::to_board, .min_size = 33, .max_size = 33,
+      .since = {.firmware = 2500, .board = 30}, .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr FieldInfo fields[] = {
       {.name = "sign_type", .spec_name = "SIGN_TYPE", .summary = "Set of keys."},
@@ -606,12 +551,9 @@ struct Meta<msg::SignMessageRequest> {
 template <>
 struct Meta<msg::PassProtectRead> {
   static constexpr MessageInfo info{
-      .name = "PassProtectRead",
-      .command = "CMD_PASS_PROTECT_READ",
-      .summary = "What a password protects.",
-      .id = 136, .direction = Direction::from_board,
-      .min_size = 8, .max_size = 8,
-      .since = {.firmware = 2736}};
+      .name = "PassProtectRead", .command = "CMD_PASS_PROTECT_READ",
+      .summary = "What a password protects.", .id = 136, .direction = Direction::from_board,
+      .min_size = 8, .max_size = 8, .since = {.firmware = 2736}};
   static constexpr FieldInfo fields[] = {
       {.name = "flags", .spec_name = "FLAGS", .summary = "What is protected."},
       {.name = "reserved", .spec_name = "RESERVED", .summary = "Reserved; kept as it is.",
@@ -633,13 +575,9 @@ template <>
 struct Meta<msg::PassProtectReadRequest> {
   static constexpr const char* answers[] = {"PassProtectRead"};
   static constexpr MessageInfo info{
-      .name = "PassProtectReadRequest",
-      .command = "CMD_PASS_PROTECT_READ",
-      .summary = "Request what a password protects.",
-      .id = 136, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 0,
-      .since = {.firmware = 2736},
-      .answers = answers,
+      .name = "PassProtectReadRequest", .command = "CMD_PASS_PROTECT_READ",
+      .summary = "Request what a password protects.", .id = 136, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 0, .since = {.firmware = 2736}, .answers = answers,
       .effects = Effects(Effect::reads)};
 
   static constexpr void visit(auto&, auto&&) {
@@ -649,13 +587,9 @@ struct Meta<msg::PassProtectReadRequest> {
 template <>
 struct Meta<msg::PassProtectWrite> {
   static constexpr MessageInfo info{
-      .name = "PassProtectWrite",
-      .command = "CMD_PASS_PROTECT_WRITE",
-      .summary = "Choose what a password protects.",
-      .id = 137, .direction = Direction::to_board,
-      .min_size = 9, .max_size = 41,
-      .since = {.firmware = 2736},
-      .secret_from = 8,
+      .name = "PassProtectWrite", .command = "CMD_PASS_PROTECT_WRITE",
+      .summary = "Choose what a password protects.", .id = 137, .direction = Direction::to_board,
+      .min_size = 9, .max_size = 41, .since = {.firmware = 2736}, .secret_from = 8,
       .effects = Effects(Effect::stores)};
   static constexpr FieldInfo fields[] = {
       {.name = "flags", .spec_name = "FLAGS", .summary = "What is protected."},
@@ -680,12 +614,9 @@ struct Meta<msg::PassProtectWrite> {
 template <>
 struct Meta<msg::QueueParamsInfo3> {
   static constexpr MessageInfo info{
-      .name = "QueueParamsInfo3",
-      .command = "CMD_QUEUE_PARAMS_INFO_3",
-      .summary = "Undocumented body from the board.",
-      .id = 30, .direction = Direction::from_board,
-      .min_size = 0, .max_size = 255,
-      .since = {.board = 30}};
+      .name = "QueueParamsInfo3", .command = "CMD_QUEUE_PARAMS_INFO_3",
+      .summary = "Undocumented body from the board.", .id = 30, .direction = Direction::from_board,
+      .min_size = 0, .max_size = 255, .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
@@ -701,13 +632,9 @@ struct Meta<msg::QueueParamsInfo3> {
 template <>
 struct Meta<msg::QueueParamsInfo3Request> {
   static constexpr MessageInfo info{
-      .name = "QueueParamsInfo3Request",
-      .command = "CMD_QUEUE_PARAMS_INFO_3",
-      .summary = "Undocumented body to the board.",
-      .id = 30, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 255,
-      .since = {.board = 30},
-      .effects = Effects(Effect::unknown)};
+      .name = "QueueParamsInfo3Request", .command = "CMD_QUEUE_PARAMS_INFO_3",
+      .summary = "Undocumented body to the board.", .id = 30, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 255, .since = {.board = 30}, .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
@@ -723,12 +650,9 @@ struct Meta<msg::QueueParamsInfo3Request> {
 template <>
 struct Meta<msg::SystemState> {
   static constexpr MessageInfo info{
-      .name = "SystemState",
-      .command = "CMD_SYSTEM_STATE",
-      .summary = "Undocumented body from the board.",
-      .id = 52, .direction = Direction::from_board,
-      .min_size = 0, .max_size = 255,
-      .since = {.board = 30}};
+      .name = "SystemState", .command = "CMD_SYSTEM_STATE",
+      .summary = "Undocumented body from the board.", .id = 52, .direction = Direction::from_board,
+      .min_size = 0, .max_size = 255, .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
@@ -744,13 +668,9 @@ struct Meta<msg::SystemState> {
 template <>
 struct Meta<msg::SystemStateRequest> {
   static constexpr MessageInfo info{
-      .name = "SystemStateRequest",
-      .command = "CMD_SYSTEM_STATE",
-      .summary = "Undocumented body to the board.",
-      .id = 52, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 255,
-      .since = {.board = 30},
-      .effects = Effects(Effect::unknown)};
+      .name = "SystemStateRequest", .command = "CMD_SYSTEM_STATE",
+      .summary = "Undocumented body to the board.", .id = 52, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 255, .since = {.board = 30}, .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
@@ -766,12 +686,9 @@ struct Meta<msg::SystemStateRequest> {
 template <>
 struct Meta<msg::MavlinkInfo> {
   static constexpr MessageInfo info{
-      .name = "MavlinkInfo",
-      .command = "CMD_MAVLINK_INFO",
-      .summary = "Undocumented body from the board.",
-      .id = 250, .direction = Direction::from_board,
-      .min_size = 0, .max_size = 255,
-      .since = {.board = 30}};
+      .name = "MavlinkInfo", .command = "CMD_MAVLINK_INFO",
+      .summary = "Undocumented body from the board.", .id = 250, .direction = Direction::from_board,
+      .min_size = 0, .max_size = 255, .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
@@ -787,13 +704,9 @@ struct Meta<msg::MavlinkInfo> {
 template <>
 struct Meta<msg::MavlinkInfoRequest> {
   static constexpr MessageInfo info{
-      .name = "MavlinkInfoRequest",
-      .command = "CMD_MAVLINK_INFO",
-      .summary = "Undocumented body to the board.",
-      .id = 250, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 255,
-      .since = {.board = 30},
-      .effects = Effects(Effect::unknown)};
+      .name = "MavlinkInfoRequest", .command = "CMD_MAVLINK_INFO",
+      .summary = "Undocumented body to the board.", .id = 250, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 255, .since = {.board = 30}, .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
@@ -809,12 +722,9 @@ struct Meta<msg::MavlinkInfoRequest> {
 template <>
 struct Meta<msg::MavlinkDebug> {
   static constexpr MessageInfo info{
-      .name = "MavlinkDebug",
-      .command = "CMD_MAVLINK_DEBUG",
-      .summary = "Undocumented body from the board.",
-      .id = 251, .direction = Direction::from_board,
-      .min_size = 0, .max_size = 255,
-      .since = {.board = 30}};
+      .name = "MavlinkDebug", .command = "CMD_MAVLINK_DEBUG",
+      .summary = "Undocumented body from the board.", .id = 251, .direction = Direction::from_board,
+      .min_size = 0, .max_size = 255, .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
@@ -830,13 +740,9 @@ struct Meta<msg::MavlinkDebug> {
 template <>
 struct Meta<msg::MavlinkDebugRequest> {
   static constexpr MessageInfo info{
-      .name = "MavlinkDebugRequest",
-      .command = "CMD_MAVLINK_DEBUG",
-      .summary = "Undocumented body to the board.",
-      .id = 251, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 255,
-      .since = {.board = 30},
-      .effects = Effects(Effect::unknown)};
+      .name = "MavlinkDebugRequest", .command = "CMD_MAVLINK_DEBUG",
+      .summary = "Undocumented body to the board.", .id = 251, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 255, .since = {.board = 30}, .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
@@ -852,13 +758,9 @@ struct Meta<msg::MavlinkDebugRequest> {
 template <>
 struct Meta<msg::ExtLicenseInfo> {
   static constexpr MessageInfo info{
-      .name = "ExtLicenseInfo",
-      .command = "CMD_EXT_LICENSE_INFO",
-      .summary = "Undocumented body from the board.",
-      .id = 124, .direction = Direction::from_board,
-      .min_size = 0, .max_size = 255,
-      .since = {.firmware = 2600},
-      .unconfirmed = true};
+      .name = "ExtLicenseInfo", .command = "CMD_EXT_LICENSE_INFO",
+      .summary = "Undocumented body from the board.", .id = 124, .direction = Direction::from_board,
+      .min_size = 0, .max_size = 255, .since = {.firmware = 2600}, .unconfirmed = true};
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
   };
@@ -874,13 +776,9 @@ struct Meta<msg::ExtLicenseInfo> {
 template <>
 struct Meta<msg::ExtLicenseInfoRequest> {
   static constexpr MessageInfo info{
-      .name = "ExtLicenseInfoRequest",
-      .command = "CMD_EXT_LICENSE_INFO",
-      .summary = "Undocumented body to the board.",
-      .id = 124, .direction = Direction::to_board,
-      .min_size = 0, .max_size = 255,
-      .since = {.firmware = 2600},
-      .unconfirmed = true,
+      .name = "ExtLicenseInfoRequest", .command = "CMD_EXT_LICENSE_INFO",
+      .summary = "Undocumented body to the board.", .id = 124, .direction = Direction::to_board,
+      .min_size = 0, .max_size = 255, .since = {.firmware = 2600}, .unconfirmed = true,
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data", .spec_name = "DATA", .summary = "Undocumented content."},
@@ -897,11 +795,9 @@ struct Meta<msg::ExtLicenseInfoRequest> {
 template <>
 struct Meta<msg::WriteStateVars> : Meta<msg::ReadStateVars> {
   static constexpr MessageInfo info{
-      .name = "WriteStateVars",
-      .command = "CMD_WRITE_STATE_VARS",
-      .summary = "Store the statistics of the board's whole life.",
-      .id = 112, .direction = Direction::to_board,
-      .min_size = 192, .max_size = 192,
+      .name = "WriteStateVars", .command = "CMD_WRITE_STATE_VARS",
+      .summary = "Store the statistics of the board's whole life.", .id = 112,
+      .direction = Direction::to_board, .min_size = 192, .max_size = 192,
       .since = {.firmware = 2687, .board = 36, .features = 0x40000},
       .effects = Effects(Effect::stores)};
 };
