@@ -283,11 +283,11 @@ void draw_overview(Screen& screen, const View& view, const GimbalSnapshot& gimba
   const bool is_high = first_row(screen) == 3;
   std::size_t row = draw_axes(screen, first_row(screen), view, values);
   if (is_high) {
-    screen.put(
-        row++, 9,
-        fmt::format("degrees{}{}; {}", view.zero ? ", relative to the zero" : "",
-                    vibration_unit(values, screen.width() >= wide_screen), directions_text()),
-        Style::dim);
+    std::string units = fmt::format("degrees{}{}", view.zero ? ", relative to the zero" : "",
+                                    vibration_unit(values, screen.width() >= wide_screen));
+    const std::string directions = "; " + directions_text();
+    if (2 + units.size() + directions.size() <= screen.width()) units += directions;
+    screen.put(row++, 9 + units.size() <= screen.width() ? 9 : 2, units, Style::dim);
   }
   row = draw_facts(screen, row, end - 1, values);
   screen.put(row, 2, "errors", Style::bold);
