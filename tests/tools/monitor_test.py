@@ -43,7 +43,7 @@ def test_pages_at_80x24(tmp_path: Path) -> None:
         text = "\n".join(lines)
         assert re.search(r"battery +1[0-9]\.\d\d V", text) and "errors    none" in text
         assert re.search(r"IMU +\d+ degC", text)
-        assert "degrees; positive pitch is down, positive yaw is right" in text
+        assert "degrees, vibration in deg/s; positive pitch is down, positive yaw is right" in text
         for axis in ("roll", "pitch", "yaw"):
             assert re.search(rf"^  {axis} .* +\d+ %$", text, re.MULTILINE)
         (current,) = [i for i, line in enumerate(lines) if "current" in line]

@@ -3,8 +3,8 @@
 #include <cstring>
 
 #include <sbgc/any.hpp>
-#include <sbgc/detail/table_access.hpp>
 #include <sbgc/frame.hpp>
+#include <sbgc/internal/table_access.hpp>
 #include <sbgc/text.hpp>
 #include <sbgc/to_json.hpp>
 

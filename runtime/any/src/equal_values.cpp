@@ -1,7 +1,7 @@
 #include "equal_values.hpp"
 
-#include <sbgc/detail/table_access.hpp>
 #include <sbgc/internal/compiler.hpp>
+#include <sbgc/internal/table_access.hpp>
 
 namespace sbgc::detail {
 

@@ -1,7 +1,7 @@
 /// Compares messages by their tables.
 #pragma once
 
-#include <sbgc/detail/table.hpp>
+#include <sbgc/internal/table.hpp>
 
 namespace sbgc::detail {
 

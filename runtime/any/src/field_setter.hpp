@@ -9,8 +9,8 @@
 #include <variant>
 #include <vector>
 
-#include <sbgc/detail/table_access.hpp>
 #include <sbgc/internal/parse_number.hpp>
+#include <sbgc/internal/table_access.hpp>
 #include <sbgc/meta.hpp>
 #include <sbgc/value_text.hpp>
 

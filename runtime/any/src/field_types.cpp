@@ -6,7 +6,7 @@
 #include <utility>
 
 #include <sbgc/any.hpp>
-#include <sbgc/detail/table_access.hpp>
+#include <sbgc/internal/table_access.hpp>
 
 namespace sbgc::detail {
 

@@ -2,8 +2,8 @@
 
 #include <cstddef>
 
-#include <sbgc/detail/fixed.hpp>
-#include <sbgc/detail/table_access.hpp>
+#include <sbgc/internal/fixed.hpp>
+#include <sbgc/internal/table_access.hpp>
 
 namespace sbgc::detail {
 

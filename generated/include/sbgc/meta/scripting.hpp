@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-#include <sbgc/detail/table.hpp>
+#include <sbgc/internal/table.hpp>
 #include <sbgc/messages/scripting.hpp>
 #include <sbgc/meta.hpp>
 #include <sbgc/meta/enums.hpp>

@@ -27,7 +27,7 @@ from sbgcgen.model.packed_text import part_of
 from sbgcgen.oracle.codec import Fields, is_bytes, keys_of
 from sbgcgen.oracle.example import Example, Piece
 from sbgcgen.oracle.typical import typical_number
-from sbgcgen.targets.cpp.filters import unit_name
+from sbgcgen.views.names import unit_name
 from sbgcgen.views.values import decimal, flags_of, parts_that_make, value_named
 
 # How many changed bytes are assigned one by one.

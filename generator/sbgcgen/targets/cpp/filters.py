@@ -18,6 +18,7 @@ from sbgcgen.model import (
     scalar_of,
 )
 from sbgcgen.targets.cpp.flag_unit import flag_units
+from sbgcgen.views.names import unit_name
 
 LINE = 100  # columns
 
@@ -102,12 +103,6 @@ def attribute(message: Message) -> str:
         return ""
     reason = f"({c_string(f'use {mark.replaced_by}')})" if mark.replaced_by else ""
     return f"[[deprecated{reason}]] "
-
-
-def unit_name(quantity: Quantity) -> str:
-    """The unit of a quantity as a part of names: deg/s^2 is deg_per_s2."""
-    words = {"/": "_per_", "^": "", " ": "_", "%": "percent", "°": "deg", "µ": "u"}
-    return "".join(words.get(c, c) for c in quantity.unit or quantity.accessor)
 
 
 def units(quantities: Iterable[Quantity]) -> list[Quantity]:

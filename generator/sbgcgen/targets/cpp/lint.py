@@ -20,8 +20,9 @@ from sbgcgen.model import (
 )
 from sbgcgen.spec.diagnostics import Diagnostics
 from sbgcgen.spec.load import Map, Spec
-from sbgcgen.targets.cpp.filters import later_units, unit_name
+from sbgcgen.targets.cpp.filters import later_units
 from sbgcgen.targets.cpp.flag_unit import flag_units
+from sbgcgen.views.names import unit_name
 
 WORDS = frozenset(
     """alignas alignof and and_eq asm auto bitand bitor bool break case catch char char16_t

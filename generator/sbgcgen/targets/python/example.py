@@ -10,7 +10,7 @@ from typing import Any, Union
 from sbgcgen.model import Announced, Blob, Enum, Field, Packed, Quantity, Scalar, Struct, Type
 from sbgcgen.oracle.codec import Fields, is_bytes, keys_of
 from sbgcgen.oracle.example import Example, Piece
-from sbgcgen.targets.python.words import attribute_name, enum_name
+from sbgcgen.views.names import attribute_name, enum_name
 from sbgcgen.views.values import decimal, flags_of, parts_that_make, value_named
 
 _WIDTH = 80

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import keyword
 import re
 import textwrap
 from collections.abc import Callable
@@ -23,6 +22,7 @@ from sbgcgen.model import (
     constants,
     scalar_of,
 )
+from sbgcgen.views.names import attribute_name, enum_name
 from sbgcgen.views.words import body_size, directions_text, number, rules_in, versions
 
 LINE = 100  # columns
@@ -73,33 +73,6 @@ def _arguments(text: str) -> list[str]:
             found.append(text[start:at].strip())
             start = at + 1
     return [*found, text[start:].strip()]
-
-
-# What every message, packed integer or enum has of its own.
-_TAKEN = {
-    "self",
-    "cls",
-    "raw",
-    "assign",
-    "from_body",
-    "from_json",
-    "to_json",
-    "name",
-    "value",
-    "mro",
-}
-
-
-def enum_name(value: EnumValue) -> str:
-    """The name of an enum value: the protocol's own, unless Python cannot have it."""
-    name = value.name
-    is_taken = keyword.iskeyword(name) or name in _TAKEN or name.startswith("_")
-    return value.identifier.upper() if is_taken or not name.isidentifier() else name
-
-
-def attribute_name(name: str) -> str:
-    """The name of a field or part, which may be a word of Python: in_."""
-    return f"{name}_" if keyword.iskeyword(name) or name in _TAKEN - {"name", "value"} else name
 
 
 def shown(fields: tuple[Field, ...]) -> list[Field]:

@@ -20,12 +20,12 @@
 #include <utility>
 #include <vector>
 
-#include <sbgc/detail/table.hpp>
 #include <sbgc/dispatch.hpp>
 #include <sbgc/field_type.hpp>
 #include <sbgc/framing.hpp>
 #include <sbgc/from_json.hpp>
 #include <sbgc/internal/message_type.hpp>
+#include <sbgc/internal/table.hpp>
 #include <sbgc/internal/violations.hpp>
 #include <sbgc/meta.hpp>
 #include <sbgc/surplus.hpp>

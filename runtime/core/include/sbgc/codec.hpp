@@ -9,10 +9,10 @@
 #include <type_traits>
 #include <utility>
 
-#include <sbgc/detail/fixed.hpp>
 #include <sbgc/detail/reader.hpp>
 #include <sbgc/detail/writer.hpp>
 #include <sbgc/flags.hpp>
+#include <sbgc/internal/fixed.hpp>
 #include <sbgc/number.hpp>
 #include <sbgc/protocol.hpp>
 #include <sbgc/quantity.hpp>

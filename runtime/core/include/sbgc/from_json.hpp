@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-#include <sbgc/detail/table.hpp>
+#include <sbgc/internal/table.hpp>
 #include <sbgc/json/problem.hpp>
 #include <sbgc/json/reader.hpp>
 #include <sbgc/json/text_source.hpp>

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include <sbgc/codec.hpp>
-#include <sbgc/detail/fixed.hpp>
+#include <sbgc/internal/fixed.hpp>
 #include <sbgc/meta.hpp>
 #include <sbgc/request_sizes.hpp>
 #include <sbgc/types.hpp>

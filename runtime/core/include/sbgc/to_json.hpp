@@ -13,7 +13,7 @@
 #include <string>
 #include <string_view>
 
-#include <sbgc/detail/table.hpp>
+#include <sbgc/internal/table.hpp>
 #include <sbgc/json/text_sink.hpp>
 #include <sbgc/json/writer.hpp>
 #include <sbgc/text_output.hpp>

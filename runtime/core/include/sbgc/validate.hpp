@@ -7,8 +7,8 @@
 
 #include <type_traits>
 
-#include <sbgc/detail/table.hpp>
 #include <sbgc/internal/check.hpp>
+#include <sbgc/internal/table.hpp>
 #include <sbgc/internal/violations.hpp>
 #include <sbgc/violation.hpp>
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <type_traits>
 
-#include <sbgc/detail/fixed.hpp>
+#include <sbgc/internal/fixed.hpp>
 #include <sbgc/number.hpp>
 #include <sbgc/status.hpp>
 #include <sbgc/types.hpp>

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include <sbgc/detail/named_values.hpp>
-#include <sbgc/detail/table_access.hpp>
+#include <sbgc/internal/table_access.hpp>
 #include <sbgc/meta/variables.hpp>
 #include <sbgc/violation.hpp>
 

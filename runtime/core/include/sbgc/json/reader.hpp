@@ -11,9 +11,9 @@
 #include <string>
 #include <string_view>
 
-#include <sbgc/detail/table_access.hpp>
 #include <sbgc/field_path.hpp>
 #include <sbgc/internal/compiler.hpp>
+#include <sbgc/internal/table_access.hpp>
 #include <sbgc/json/problem.hpp>
 #include <sbgc/json/tokens.hpp>
 #include <sbgc/json/values.hpp>

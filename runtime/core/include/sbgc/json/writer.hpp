@@ -9,8 +9,8 @@
 #include <span>
 #include <string_view>
 
-#include <sbgc/detail/table_access.hpp>
 #include <sbgc/internal/compiler.hpp>
+#include <sbgc/internal/table_access.hpp>
 #include <sbgc/json/values.hpp>
 #include <sbgc/meta.hpp>
 #include <sbgc/number.hpp>

@@ -10,8 +10,8 @@
 #include <type_traits>
 #include <vector>
 
-#include <sbgc/detail/table_access.hpp>
 #include <sbgc/field_path.hpp>
+#include <sbgc/internal/table_access.hpp>
 #include <sbgc/meta.hpp>
 #include <sbgc/meta/variables.hpp>
 #include <sbgc/text/values.hpp>

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <limits>
 
-#include <sbgc/detail/table.hpp>
 #include <sbgc/internal/compiler.hpp>
+#include <sbgc/internal/table.hpp>
 #include <sbgc/number.hpp>
 
 namespace sbgc::detail {
