@@ -247,6 +247,8 @@ def answers(layout: Layout) -> dict[str, str]:
             names += [name for name in case.messages if name not in errors]
             names += confirmations if case.confirm != "never" and not case.messages else []
             names += ["None"] if case.confirm != "always" and not case.messages else []
+        if not names:  # only errors answer it
+            continue
         possible = [name for name in dict.fromkeys(names) if name != "None"]
         one = possible[0] if len(possible) == 1 else f"Union[{', '.join(possible)}]"
         if "None" in names:
