@@ -478,6 +478,7 @@ def test_the_search_finds_the_gimbals_that_answer(monkeypatch: pytest.MonkeyPatc
     assert sbgc.find() == []
 
 
+@pytest.mark.filterwarnings("ignore:.*was not closed:ResourceWarning")
 def test_a_client_that_is_forgotten_in_a_call_neither_crashes_nor_hangs(board: Board) -> None:
     for _ in range(20):
         gimbal = sbgc.connect(board)
