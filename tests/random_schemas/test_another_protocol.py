@@ -181,6 +181,8 @@ def test_the_site_is_about_the_protocol(lamp: Path) -> None:
     )
     assert "CRC-8 with the polynomial 0xD5" in text["framing.html"]
     for name, page in text.items():
-        assert ">Lamp Link, unofficial<" in page and "SimpleBGC" not in page and "CMD_" not in page, name
+        assert (
+            ">Lamp Link, unofficial<" in page and "SimpleBGC" not in page and "CMD_" not in page
+        ), name
         for link in re.findall(r'href="([^"#:]+)', page):
             assert (pages[name].parent / link).exists(), f"{name}: {link}"
