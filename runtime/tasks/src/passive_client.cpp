@@ -89,7 +89,8 @@ Instant PassiveClient::deadline() const noexcept { return state_->deadline(); }
 void PassiveClient::State::detect_line(SetLine set_line,
                                        std::function<void(const Result<void>&)> done) {
   auto question = detail::opening_frame(options_.password);
-  Detector detector({.question = question});  // of bytes that the move leaves where they are
+  // It keeps a view of the question, whose bytes stay where they are when the vector is moved.
+  Detector detector({.question = question});
   search_ = std::make_unique<Search>(
       Search{std::move(question), std::move(detector), std::move(set_line), std::move(done)});
   has_news_ = true;
