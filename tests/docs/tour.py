@@ -3,9 +3,9 @@
     SBGC=build/debug/tools/sbgc generator/python tests/docs/tour.py [--write]
 
 A block ```console holds commands after "$ " and what they print on a terminal of 80 columns. All run
-in one home folder, with an emulated gimbal that the configuration file calls "front". Numbers may differ
-from run to run, so only the text around them is compared, and a block whose text is right stays as
-it is.
+in one home folder, with an emulated gimbal that the configuration file calls "front". Numbers and the
+count of samples may differ from run to run, so only the text around them is compared, and a block whose
+text is right stays as it is.
 """
 
 from __future__ import annotations
@@ -86,8 +86,9 @@ def run(block: str, environment: dict[str, str]) -> str:
 
 
 def text_of(block: str) -> str:
-    """Returns a block without its numbers and the spaces that align them."""
-    return re.sub(r"[ -]*-?\d[\d.]*(?:e[-+]?\d+)?|[ -]+", " ", block)
+    """Returns a block without its numbers, the spaces that align them and repeated lines of samples."""
+    text = re.sub(r"[ -]*-?\d[\d.]*(?:e[-+]?\d+)?|[ -]+", " ", block)
+    return re.sub(r"^([ ,]+\n)\1+", r"\1", text, flags=re.MULTILINE)
 
 
 def rendered(page: str) -> str:

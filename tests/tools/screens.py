@@ -68,13 +68,17 @@ class Terminal:
     def wait(self, found: str | Callable[[list[str]], bool], seconds: float = 20) -> list[str]:
         """Waits for a regular expression, or a condition, on the screen."""
         end = time.monotonic() + seconds
+        times = 0
         while time.monotonic() < end:
             lines = self.lines()
-            if (
+            is_found = (
                 re.search(found, "\n".join(lines), re.MULTILINE)
                 if isinstance(found, str)
                 else found(lines)
-            ):
+            )
+            # The first screen may be half drawn.
+            times = times + 1 if is_found else 0
+            if times == 2:
                 return lines
             time.sleep(0.05)
         raise AssertionError(f"{found} is not on the screen:\n" + "\n".join(self.lines()))
