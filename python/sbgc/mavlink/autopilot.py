@@ -11,7 +11,7 @@ from sbgc.mavlink.steering import Sample
 
 FRESH = 1.0
 """Seconds for which a heading is known after the last state."""
-DRIFT_TIME = 5.0
+DRIFT_TIME, UNUSED_TIME = 5.0, 0.5
 """Seconds in which two thirds of a difference between both yaws are corrected."""
 
 
@@ -50,13 +50,13 @@ class Autopilot:
         rate = degrees(values.angular_velocity_z or values.feed_forward_angular_velocity_z)
         self.turn = max(-360.0, min(360.0, rate)) if isfinite(rate) else 0.0
 
-    def correct(self, sample: Sample) -> None:
-        """Correct north by what the board has measured."""
+    def correct(self, sample: Sample, is_held: bool) -> None:
+        """Correct north by what the board has measured: slowly if an axis is held by it."""
         if not self.is_fresh:
             return
         now = time.monotonic()
         north = self._heading + sample.joints.yaw - sample.angles.yaw
-        share = min(1.0, (now - self._corrected) / DRIFT_TIME)
+        share = min(1.0, (now - self._corrected) / (DRIFT_TIME if is_held else UNUSED_TIME))
         self._corrected = now
         if self.north is None:
             self.north = north

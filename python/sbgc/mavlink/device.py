@@ -84,7 +84,8 @@ class Device:
         self.autopilot.take(values)
         self.head.turn = self.autopilot.turn
         if self.head.sample is not None and self.head.is_alive:
-            self.autopilot.correct(self.head.sample)
+            is_held = Frame.NORTH in (self.head.steering.frames or [])
+            self.autopilot.correct(self.head.sample, is_held)
 
     def steer(self, values: Any) -> bool:
         """Do as SET_ATTITUDE of a device or a manager says. Raises ValueError."""

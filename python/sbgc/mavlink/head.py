@@ -8,6 +8,7 @@ import re
 import time
 from collections import Counter, deque
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass
 from math import nan
 from struct import pack
@@ -132,17 +133,18 @@ class Head:
                 while not driving.done():
                     try:
                         self._take(await samples.__anext__())
-                    except (GimbalTimeout, GimbalDisconnected) as error:
+                    except (GimbalTimeout, GimbalDisconnected):
                         self.steering.clear()  # what was wanted before is old when the line is back
                         self._history.clear()
                         if gimbal._is_closed:
                             raise
-                        LOG.debug("%s: %s", self._place, error)
+                        await asyncio.sleep(INTERVAL)  # on a lost line, it raises at once
             driving.result()
         finally:
             driving.cancel()
-            if self.steering.is_turning(time.monotonic()):
-                await gimbal.stop()
+            if self.steering.is_turning(time.monotonic()) and gimbal.is_connected:
+                with suppress(Error):  # which would take the place of a cancellation
+                    await gimbal.stop()
 
     def _take(self, found: RealtimeData4) -> None:
         angles, joints = (self._signs.of(*found.angle), self._signs.of(*found.rotor_angle))

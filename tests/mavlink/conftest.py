@@ -1,0 +1,32 @@
+"""Finds pymavlink, which ./dev installs in peers/; without it, there is nothing to test."""
+
+from __future__ import annotations
+
+import os
+import site
+from collections.abc import Iterator
+from importlib.util import find_spec
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import pytest
+
+if TYPE_CHECKING:
+    from drone import Rig
+
+for folder in (Path(__file__).parent / "peers" / "venv").glob("lib/python3*/site-packages"):
+    site.addsitedir(str(folder))
+    os.environ["PYTHONPATH"] = f"{os.environ.get('PYTHONPATH', '')}:{folder}"  # of the program
+collect_ignore_glob = [] if find_spec("pymavlink") else ["*_test.py"]
+
+
+def pytest_report_header() -> str:
+    return "skipped: pymavlink is missing" if collect_ignore_glob else ""
+
+
+@pytest.fixture
+def rig() -> Iterator[Rig]:
+    from drone import started
+
+    with started() as made:
+        yield made
