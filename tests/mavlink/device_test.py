@@ -58,7 +58,8 @@ def test_requests_are_answered(rig: Rig) -> None:
 
 
 @pytest.mark.parametrize(
-    "roll, pitch, yaw", [(0, -20, 0), (0, 20, 0), (0, 0, 25), (12, 0, 0), (0, -90, 0), (0, -30, -40)]
+    "roll, pitch, yaw",
+    [(0, -20, 0), (0, 20, 0), (0, 0, 25), (12, 0, 0), (0, -90, 0), (0, -30, -40)],
 )
 def test_directions(roll: float, pitch: float, yaw: float, rig: Rig) -> None:
     """MAVLink: pitch up, yaw and roll to the right. Flags 0 do not mean that pitch follows."""

@@ -62,6 +62,28 @@ def test_calls_run_concurrently_with_the_loop(board: Board) -> None:
     with_gimbal(board, use)
 
 
+def test_waiting_again_after_a_timeout_leaves_the_loop_to_others() -> None:
+    async def use(gimbal: aio.Gimbal) -> None:
+        async with await gimbal.stream(msg.RealtimeData4, 1.0, timeout=0.2) as samples:
+            ticks = 0
+
+            async def tick() -> None:
+                nonlocal ticks
+                while True:
+                    await asyncio.sleep(0.01)
+                    ticks += 1
+
+            ticking = asyncio.create_task(tick())
+            for _ in range(3):
+                with suppress(sbgc.GimbalTimeout):
+                    await samples.__anext__()
+            ticking.cancel()
+            assert ticks > 20
+
+    with sbgc.emulator(noise=0) as board:
+        with_gimbal(board, use)
+
+
 def test_a_cancelled_move_stops_the_camera_first(board: Board) -> None:
     async def use(gimbal: aio.Gimbal) -> None:
         move = asyncio.create_task(gimbal.move_to(pitch=80, speed=20))

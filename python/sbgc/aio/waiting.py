@@ -111,7 +111,7 @@ class Waiting(Link):
                 raise closed()
             if self._loop.time() >= until:
                 raise problem(seconds)
-            alarm = None if timeout is None else self._loop.call_at(until, rung.set)
+            alarm = None if timeout is None else self._loop.call_at(until, self._wake)
             try:
                 await rung.wait()
             finally:
