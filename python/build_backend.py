@@ -139,7 +139,13 @@ def _information() -> dict[str, bytes]:
     """The files that describe the package, by name."""
     wheel = f"Wheel-Version: 1.0\nGenerator: sbgc\nRoot-Is-Purelib: false\nTag: {_tag()}\n"
     license = (ROOT / "LICENSE").read_bytes()
-    return {"METADATA": _metadata().encode(), "LICENSE": license, "WHEEL": wheel.encode()}
+    scripts = "".join(f"{name} = {place}\n" for name, place in _project()["scripts"].items())
+    return {
+        "METADATA": _metadata().encode(),
+        "LICENSE": license,
+        "WHEEL": wheel.encode(),
+        "entry_points.txt": f"[console_scripts]\n{scripts}".encode(),
+    }
 
 
 def prepare_metadata_for_build_wheel(

@@ -126,7 +126,7 @@ class Head:
         self.identity = gimbal.identity
         profile = await gimbal.read_profile(await gimbal.active_profile())
         self.steering.limits = limits_of(profile, self._signs)
-        LOG.info("%s: %s, limits %s", self._place, gimbal, self.steering.limits)
+        LOG.info("%s: roll, pitch and yaw within %s", self._place, self.steering.limits)
         driving = asyncio.create_task(self._drive(gimbal))
         try:
             async with await gimbal.stream(RealtimeData4, INTERVAL, timeout=STALE) as samples:

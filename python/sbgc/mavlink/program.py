@@ -32,18 +32,18 @@ async def run(settings: Settings) -> None:
         lines = given.line or [USUAL_LINE]
         for line in lines:
             line_of(line)
-        vehicle = vehicles[name] = Vehicle(name, given.system, key_of(given.key_file))
+        vehicle = vehicles[name] = Vehicle(name or "vehicle", given.system, key_of(given.key_file))
         jobs += [_report(vehicle), *(serve(line, vehicle) for line in lines)]
     for name, given in settings.gimbals.items():
         vehicle = vehicles[given.vehicle]
         signs = Signs(given.roll_sign, given.pitch_sign, given.yaw_sign)
         steering = Steering(given.rate_timeout, given.speed)
         head = Head(given.port, signs, steering, vehicle.counters, given.arm)
-        device = Device(vehicle, given.component, head, name, given.rate)
+        device = Device(vehicle, given.component, head, name or given.port, given.rate)
         jobs += [head.run(), device.run()]
         if given.manager:
             jobs.append(Manager(device).run())
-        LOG.info("gimbal %s at %s is component %d", name, given.port, given.component)
+        LOG.info("%s: component %d, at %s", device.name, given.component, given.port)
     running = asyncio.gather(*jobs)
     for number in (signal.SIGINT, signal.SIGTERM):
         asyncio.get_running_loop().add_signal_handler(number, running.cancel)
