@@ -14,6 +14,7 @@ import threading
 import time
 from collections import Counter
 from contextlib import suppress
+from importlib import import_module
 from math import cos, nan, radians, sin
 from pathlib import Path
 from socket import AF_INET, SOCK_DGRAM, create_connection, create_server, socket
@@ -55,10 +56,9 @@ def tap(number: int, gimbal: Any, sbgc: Any) -> int:
 def main() -> None:
     program, folder = sys.argv[1:3]
     sys.path.insert(0, folder)
-    import sbgc
-    from sbgc.mavlink.codec import Codec
-    from sbgc.mavlink.vehicle import WANTED
-
+    sbgc: Any = import_module("sbgc")
+    codec: Any = import_module("sbgc.mavlink.codec")
+    wanted = import_module("sbgc.mavlink.vehicle").WANTED
     count = SYSTEMS * len(GIMBALS)
     command = [program, "emulate", "--tcp", "0", "--count", str(count)]
     board = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
@@ -80,7 +80,7 @@ def main() -> None:
         command = [sys.executable, "-m", "sbgc.mavlink", "--config", str(file)]
         adapter = subprocess.Popen(command, env=environment, stderr=subprocess.DEVNULL)
         try:
-            measure(adapter.pid, links, Codec(WANTED, None, Counter()))
+            measure(adapter.pid, links, codec.Codec(wanted, None, Counter()))
         finally:
             adapter.terminate()
             adapter.wait()

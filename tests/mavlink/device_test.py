@@ -4,14 +4,21 @@ from __future__ import annotations
 
 from math import degrees, isnan, nan, pi
 from pathlib import Path
+from typing import Any
 
 import pytest
 from drone import FOLLOW, LOCK, NO_Q, SLOW, STATUS, Gimbal, Rig, Station, aircraft, program, started
 from optical_axis import right_side_down
 
+from sbgc import Angles
 from sbgc.mavlink.geometry import angles_of, wrapped
 
 YAW_FRAMES = 32 | 64
+
+
+def attitude_of(status: Any) -> Angles:
+    w, x, y, z = status.q
+    return angles_of((w, x, y, z))
 
 
 def test_it_becomes_a_gimbal_of_the_autopilot_that_it_hears() -> None:
@@ -73,7 +80,7 @@ def test_directions(roll: float, pitch: float, yaw: float, rig: Rig) -> None:
         assert gimbal.right == pytest.approx(yaw, abs=1)
     autopilot.fly(0.3, aim)
     status = autopilot.last(STATUS)
-    assert angles_of((*status.q,)) == pytest.approx((roll, pitch, yaw), abs=1)
+    assert attitude_of(status) == pytest.approx((roll, pitch, yaw), abs=1)
     assert status.flags & YAW_FRAMES == 32 and status.flags & LOCK == 12
     assert status.failure_flags == 0 and status.delta_yaw == 0 and status.gimbal_device_id == 0
 
@@ -100,7 +107,7 @@ def test_a_vehicle_that_turns(flags: int, tmp_path: Path) -> None:
         assert gimbal.up == pytest.approx(-10, abs=1)
         status = autopilot.last(STATUS)
         assert degrees(status.delta_yaw) == pytest.approx(135, abs=1)
-        assert wrapped(angles_of((*status.q,)).yaw - gimbal.right) == pytest.approx(0, abs=1)
+        assert wrapped(attitude_of(status).yaw - gimbal.right) == pytest.approx(0, abs=1)
         assert status.flags & LOCK == {FOLLOW: 12, LOCK: 28, 12: 12, 16: 16}[flags]
 
 
