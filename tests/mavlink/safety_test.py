@@ -31,6 +31,9 @@ def test_arm_permits_a_setpoint_to_turn_the_motors_on() -> None:
         assert not rig.gimbal.data().other_flags, "nobody wants anything"
         aim = rig.autopilot.aim(aircraft(pitch=-20))
         rig.autopilot.until(lambda: rig.gimbal.up == pytest.approx(-20, abs=1), aim)
+        rig.gimbal.host.motors_off()
+        rig.autopilot.fly(1, aim)
+        assert not rig.gimbal.data().other_flags, "who turns them off wants them off"
 
 
 def test_a_killed_program_ends_a_rate_and_leaves_an_angle(rig: Rig) -> None:

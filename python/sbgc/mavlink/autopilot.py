@@ -9,8 +9,7 @@ from typing import Any, Optional
 from sbgc.mavlink.geometry import heading_of, rotation_of, wrapped
 from sbgc.mavlink.steering import Sample
 
-FRESH = 1.0
-"""Seconds for which a heading is known after the last state."""
+FRESH = 1.0  # seconds for which a heading is known after the last state
 DRIFT_TIME, UNUSED_TIME = 5.0, 0.5
 """Seconds in which two thirds of a difference between both yaws are corrected."""
 

@@ -9,8 +9,7 @@ from pathlib import Path
 from sbgc import aio
 from sbgc.mavlink.options import USUAL_LINE, Settings
 
-TURN, SPEED = 5.0, 5.0
-"""Degrees, and degrees per second."""
+TURN, SPEED = 5.0, 5.0  # degrees, and degrees per second
 SEEN = {
     "roll": "its right side went down",
     "pitch": "it looked up",

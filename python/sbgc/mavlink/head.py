@@ -23,10 +23,8 @@ from sbgc.msg import BoardFeatures, ControlExt, ControlModeKind, OtherFlags, Rea
 from sbgc.parameters import Profile
 
 LOG = logging.getLogger("sbgc.mavlink")
-INTERVAL = 0.05
-"""Seconds between samples, and between repetitions for an axis that follows."""
-PACE = 0.02
-"""A board takes 50 commands a second."""
+INTERVAL = 0.05  # seconds between samples, and between repetitions for an axis that follows
+PACE = 0.02  # a board takes 50 commands a second
 STALE = 0.5
 AGAIN = 2.0
 
@@ -49,7 +47,7 @@ class Signs:
 class Head:
     """Drives one gimbal. `aim()` takes setpoints; nothing moves while its motors are off.
 
-    With `may_arm`, a setpoint turns the motors on. `counters` counts setpoints that had no effect.
+    With `may_arm`, a setpoint turns the motors on, once. `counters` counts setpoints that had no effect.
     """
 
     def __init__(
@@ -157,7 +155,9 @@ class Head:
             int(found.calib_mode) != 0,
         )
         self._history.append(self.sample)
-        if not self.sample.are_motors_on and not self._may_arm:
+        if self.sample.are_motors_on:
+            self._may_arm = False  # who turns them off later wants them off
+        elif not self._may_arm:
             self.steering.clear()
 
     async def _drive(self, gimbal: aio.Gimbal) -> None:

@@ -21,10 +21,8 @@ from typing import Any
 from sbgc.mavlink.vehicle import Channel, Vehicle
 
 LOG = logging.getLogger("sbgc.mavlink")
-WAIT = 1.0
-"""Seconds until a lost line is opened again."""
-PEERS = 8
-"""How many senders of datagrams are answered: the last ones."""
+WAIT = 1.0  # seconds until a lost line is opened again
+PEERS = 8  # how many senders of datagrams are answered: the last ones
 QUEUE = 16384
 """Bytes that may wait; what does not fit is dropped, because it would be old when it leaves."""
 

@@ -21,8 +21,7 @@ from sbgc.mavlink.protocol import ONE_COMPONENT, Command, Flags, Ids, Number, Re
 
 LOG = logging.getLogger("sbgc.mavlink")
 INTERVAL = 0.2
-SEARCH = 1.0
-"""Seconds in which another manager is searched for."""
+SEARCH = 1.0  # seconds in which another manager is searched for
 MANUAL_RATE, MANUAL_ANGLE = 30.0, 90.0
 """Degrees per second, and degrees where there is no limit, for a stick at its end."""
 NOBODY = (0, 0)

@@ -30,7 +30,9 @@ FAILURES = {
     "SERIAL": Failure.COMMS_ERROR,
 }
 ERRORS = {
-    SystemErrors[f"ERR_{one}"]: flag for names, flag in FAILURES.items() for one in names.split()
+    int(SystemErrors[f"ERR_{one}"]): int(flag)
+    for names, flag in FAILURES.items()
+    for one in names.split()
 }
 
 
@@ -80,7 +82,7 @@ class Reports:
         }
         fields["delta_yaw"] = heading = radians(autopilot.heading)
         fields["delta_yaw_velocity"] = nan if isnan(heading) else radians(autopilot.turn)
-        fields["failure_flags"] = int(self._failures(sample))
+        fields["failure_flags"] = self._failures(sample)
         fields.update(flags=int(self.flags), q=quaternion_of(attitude), **self._time_and_id())
         name = "GIMBAL_DEVICE_ATTITUDE_STATUS"
         return self.send(name, target_system=0, target_component=0, **fields)
@@ -100,16 +102,15 @@ class Reports:
         is_fresh = self._device.autopilot.is_fresh
         return flags | (Flags.ACCEPTS_YAW_IN_EARTH_FRAME if is_fresh else Flags(0))
 
-    def _failures(self, sample: Sample) -> Failure:
-        device, found = self._device, Failure(0)
+    def _failures(self, sample: Sample) -> int:
+        device = self._device
+        found = sum(on << number for number, on in enumerate(device.head.steering.limited))
         for error, flag in ERRORS.items():
-            found |= flag if sample.errors & int(error) else Failure(0)
-        for number, is_limited in enumerate(device.head.steering.limited):
-            found |= Failure(is_limited << number)
-        found |= Failure(0) if sample.are_motors_on else Failure.MOTOR_ERROR
-        found |= Failure.CALIBRATION_RUNNING if sample.is_calibrating else Failure(0)
+            found |= flag if sample.errors & error else 0
+        found |= 0 if sample.are_motors_on else Failure.MOTOR_ERROR
+        found |= Failure.CALIBRATION_RUNNING if sample.is_calibrating else 0
         is_alone = time.monotonic() - device.last_setpoint > NOBODY and not device.is_managed_here
-        return found | (Failure.NO_MANAGER if is_alone else Failure(0))
+        return found | (Failure.NO_MANAGER if is_alone else 0)
 
     def abilities(self) -> tuple[int, dict[str, float]]:
         """The capabilities; the limits in radians, NaN where there is none."""

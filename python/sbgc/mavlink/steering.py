@@ -19,8 +19,7 @@ from sbgc.mavlink.geometry import wrapped
 Range = tuple[float, float]
 UNLIMITED: Range = (-1e9, 1e9)
 YAW = 2
-LARGEST = 719.0
-"""The protocol of the board has no larger angles."""
+LARGEST = 719.0  # the protocol of the board has no larger angles
 NEAR, STOP = 3.0, 0.15
 """Degrees around a goal that count as there; seconds that a camera takes to stop."""
 

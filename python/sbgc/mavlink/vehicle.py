@@ -24,10 +24,8 @@ WANTED = frozenset(
     GIMBAL_MANAGER_SET_PITCHYAW GIMBAL_MANAGER_SET_MANUAL_CONTROL""".split()
 )
 GROUND_STATION, NO_AUTOPILOT = 6, 8
-USUAL = 1
-"""The system that an autopilot is if nobody has changed it."""
-SILENCE = 5.0
-"""Seconds without a message after which somebody is gone."""
+USUAL = 1  # the system that an autopilot is if nobody has changed it
+SILENCE = 5.0  # seconds without a message after which somebody is gone
 MOST_SENDERS, SEQUENCES = 256, 256
 
 
