@@ -31,7 +31,7 @@ def test_asyncio_is_imported_when_it_is_used() -> None:
 def test_the_package_describes_itself() -> None:
     described = metadata("sbgc")
     assert sbgc.__version__ == described["Version"]
-    assert described.get_all("Provides-Extra") == ["numpy", "pandas"]
+    assert described.get_all("Provides-Extra") == ["mavlink", "numpy", "pandas"]
     assert 'pandas; extra == "pandas"' in (described.get_all("Requires-Dist") or [])
     text = described.get_payload()  # type: ignore[attr-defined]
     assert isinstance(text, str) and text.startswith("# sbgc\n")
