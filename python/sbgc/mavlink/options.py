@@ -60,7 +60,9 @@ def add_gimbal(parser: ArgumentParser) -> None:
     add("--component", type=int, choices=GIMBALS, help="its id; by default the first that is free")
     add("--manager", action="store_true", help="be the gimbal manager as well")
     add(
-        "--arm", action="store_true", help="let a setpoint turn the motors on, once; the camera jumps then"
+        "--arm",
+        action="store_true",
+        help="let a setpoint turn the motors on, once; the camera jumps then",
     )
     for axis, usual in (("roll", 1), ("pitch", -1), ("yaw", 1)):
         text = f"1 if the board counts {axis} as MAVLink does, else -1; by default {usual}"
