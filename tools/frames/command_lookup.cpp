@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <span>
+#include <utility>
+#include <vector>
 
-#include <sbgc/dispatch.hpp>
-#include <sbgc/meta/all.hpp>
+#include <sbgc/meta/enums.hpp>
 
 namespace sbgc::tools {
 
@@ -13,81 +13,92 @@ namespace {
 
 constexpr std::array directions{Direction::to_board, Direction::from_board};
 
-/// The names of all ids, by direction; null for an unknown one.
-using CommandNames = std::array<std::array<const char*, 256>, directions.size()>;
+/// What is known of an id in one direction.
+struct Command {
+  const char* name = nullptr;  ///< null for an unknown one; that of the other direction if need be
+  std::vector<const MessageType*> forms{};
+};
+using Commands = std::array<std::array<Command, 256>, directions.size()>;
 
 std::size_t index(Direction direction) { return direction == Direction::to_board ? 0 : 1; }
 
-CommandNames all_names() {
-  CommandNames names{};
-  AllMessages::for_each([&]<class M>(Type<M>) {
-    const MessageInfo& info = Meta<M>::info;
+Commands all_commands() {
+  Commands commands{};
+  for (const MessageType* const type : message_types()) {
     for (const Direction direction : directions) {
-      if (info.travels(direction)) names[index(direction)][info.id] = info.command;
+      if (!type->info->travels(direction)) continue;
+      Command& command = commands[index(direction)][type->info->id];
+      command.name = type->info->command;
+      command.forms.push_back(type);
     }
-  });
-  // Otherwise, the name of the id in the other direction.
-  const auto add = [&](std::span<const ValueInfo> commands) {
-    for (const ValueInfo& command : commands) {
-      for (auto& of_direction : names) {
-        const char*& name = of_direction[static_cast<std::uint8_t>(command.value)];
-        if (name == nullptr) name = command.name;
+  }
+  const auto add = [&](std::span<const ValueInfo> values) {
+    for (const ValueInfo& value : values) {
+      for (auto& of_direction : commands) {
+        const char*& name = of_direction[static_cast<std::uint8_t>(value.value)].name;
+        if (name == nullptr) name = value.name;
       }
     }
   };
   add(EnumMeta<msg::CommandFromBoard>::values);
   add(EnumMeta<msg::CommandToBoard>::values);
-  return names;
+  return commands;
+}
+
+const Command& command(Direction direction, std::uint8_t id) {
+  static const Commands commands = all_commands();
+  return commands[index(direction)][id];
+}
+
+/// True if later firmware may append to a message.
+bool can_grow(const MessageType& type) {
+  return type.operations->table->tail.type != nullptr && !type.operations->takes_surplus;
 }
 
 }  // namespace
 
 int body_fit(Direction direction, std::uint8_t id, std::size_t size) {
-  int result = 0;
-  select(direction, id, size, [&]<class M>(Type<M>) {
-    const bool documented = size >= M::min_size && size <= M::max_size;
-    if (documented && M::min_size == M::max_size) {
-      result = 4;  // the only valid size
-    } else if (documented && M::max_size < max_body_size) {
-      result = 3;
-    } else if (size > M::max_size && requires(const M& message) { message.tail; }) {
-      result = 2;  // grown by later firmware
-    } else if (documented) {
-      result = 1;  // accepts almost any size
-    }
-  });
-  return result;
+  const MessageType* const type = find_message(direction, id, size);
+  if (type == nullptr) return 0;
+  const auto [least, most] = std::pair(type->info->min_size, type->info->max_size);
+  const bool documented = size >= least && size <= most;
+  if (documented && least == most) return 4;  // the only valid size
+  if (documented && most < max_body_size) return 3;
+  if (size > most && can_grow(*type)) return 2;  // grown by later firmware
+  return documented ? 1 : 0;                     // accepts almost any size
 }
 
-bool has_command(Direction direction, std::uint8_t id) {
-  return select(direction, id, 0, [](auto) {}) != Code::unknown_command;
+bool has_command(Direction direction, std::uint8_t id) { return !forms(direction, id).empty(); }
+
+std::size_t misfit(const MessageInfo& form, std::size_t size) {
+  return form.min_size - std::min(form.min_size, size) + size - std::min(form.max_size, size);
 }
 
 std::size_t misfit(Direction direction, std::uint8_t id, std::size_t size) {
   std::size_t least = max_body_size + 1;
-  AllMessages::for_each([&]<class M>(Type<M>) {
-    if (Meta<M>::info.id != id || !Meta<M>::info.travels(direction)) return;
-    const std::size_t missing = M::min_size - std::min(M::min_size, size);
-    const std::size_t surplus = size - std::min(M::max_size, size);
-    least = std::min(least, missing + surplus);
-  });
+  for (const MessageType* const form : forms(direction, id)) {
+    least = std::min(least, misfit(*form->info, size));
+  }
   return least;
 }
 
 std::string body_sizes(Direction direction, std::uint8_t id) {
   std::string result;
-  AllMessages::for_each([&]<class M>(Type<M>) {
-    if (Meta<M>::info.id != id || !Meta<M>::info.travels(direction)) return;
-    result += (result.empty() ? "" : ", ") + std::to_string(M::min_size);
-    if (M::max_size != M::min_size) result += " to " + std::to_string(M::max_size);
-  });
+  for (const MessageType* const form : forms(direction, id)) {
+    const MessageInfo& info = *form->info;
+    result += (result.empty() ? "" : ", ") + std::to_string(info.min_size);
+    if (info.max_size != info.min_size) result += " to " + std::to_string(info.max_size);
+  }
   return result;
 }
 
 const char* command_name(std::uint8_t id, Direction direction) {
-  static const CommandNames names = all_names();
-  const char* const name = names[index(direction)][id];
+  const char* const name = command(direction, id).name;
   return name == nullptr ? "" : name;
+}
+
+std::span<const MessageType* const> forms(Direction direction, std::uint8_t id) {
+  return command(direction, id).forms;
 }
 
 }  // namespace sbgc::tools

@@ -3,15 +3,19 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 
-#include <sbgc/codec.hpp>
+#include <sbgc/any.hpp>
 
 namespace sbgc::tools {
 
 /// Returns the name of the command with this id; "" if there is none. Some ids have two names,
 /// distinguished by direction.
 const char* command_name(std::uint8_t id, Direction direction);
+
+/// Returns the messages of the command with this id in this direction.
+std::span<const MessageType* const> forms(Direction direction, std::uint8_t id);
 
 /// True if there is a command with this id in this direction.
 bool has_command(Direction direction, std::uint8_t id);

@@ -3,16 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <concepts>
 #include <utility>
 #include <vector>
 
+#include <sbgc/any.hpp>
 #include <sbgc/explain.hpp>
-#include <sbgc/internal/compiler.hpp>
+#include <sbgc/json/text_sink.hpp>
 #include <sbgc/meta/all.hpp>
-#include <sbgc/surplus.hpp>
-#include <sbgc/text.hpp>
-#include <sbgc/to_json.hpp>
+#include <sbgc/roles.hpp>
 
 #include "frames/command_lookup.hpp"
 #include "frames/json_string.hpp"
@@ -59,36 +57,22 @@ bool is_likely_request(const Frame& frame) {
   const std::size_t size = frame.body.size();
   const std::size_t surplus = size - std::min(size, largest_request(frame.id, newest));
   std::size_t missing = max_body_size + 1;
-  AllMessages::for_each([&]<class M>(Type<M>) {
-    if (M::direction == Direction::to_board || Meta<M>::info.id != frame.id) return;
-    missing = std::min(missing, M::min_size - std::min(M::min_size, size));
-  });
+  for (const MessageType* const form : forms(Direction::from_board, frame.id)) {
+    const std::size_t least = form->info->min_size;
+    missing = std::min(missing, least - std::min(least, size));
+  }
   return surplus < missing;
 }
 
-/// Finds the fixed-size member that contains a byte of the body.
-struct FieldFinder {
-  std::size_t wanted{};
-  std::size_t& at;
-  const char*& found;
-
-  template <class T>
-  void operator()(const FieldInfo& field, const T&) const {
-    step(wire_size<T>, field.name);
-  }
-  void step(std::size_t size, const char* name) const {
-    at += size;
-    if (*found == '\0' && at > wanted) found = name;
-  }
-};
-
-/// Returns the path of the fixed-size member that contains the byte at `offset` of the body.
-template <class M>
-std::string field_at(std::size_t offset) {
-  std::size_t at = 0;
-  const char* result = "";
-  const M message{};
-  Meta<M>::visit(message, FieldFinder{offset, at, result});
+/// Returns the member that contains the byte at `offset` of the body.
+std::string field_at(const MessageType& type, std::size_t offset) {
+  std::string result;
+  type.make().for_each_leaf([&](const Leaf& leaf) {
+    if (offset < leaf.offset || offset >= leaf.offset + leaf.size) return;
+    const FieldPath* member = &leaf.path;
+    while (member->parent != nullptr) member = member->parent;
+    result = member->name;
+  });
   return result;
 }
 
@@ -132,24 +116,24 @@ NearestForm nearest_form(const Frame& frame, Direction direction) {
   NearestForm result;
   const std::size_t size = frame.body.size();
   std::size_t least = max_body_size + 1;
-  AllMessages::for_each([&]<class M>(Type<M>) {
-    if (Meta<M>::info.id != frame.id || !Meta<M>::info.travels(direction)) return;
+  for (const MessageType* const form : forms(direction, frame.id)) {
+    const MessageInfo& info = *form->info;
     PaddedLayout layout;
-    for_each_leaf(M{}, layout);
-    const std::size_t missing = M::min_size - std::min(M::min_size, size);
-    const std::size_t surplus = size - std::min(M::max_size, size);
+    form->make().for_each_leaf(layout);
+    const std::size_t missing = info.min_size - std::min(info.min_size, size);
+    const std::size_t surplus = size - std::min(info.max_size, size);
     // Without ranges, which the library of the WebAssembly build lacks.
     const bool has_field =
         std::any_of(layout.parts.begin(), layout.parts.end(),
                     [missing](const PaddedLayout::Part& part) { return part.size == missing; });
     layout.pad(layout.alignment);
-    const bool is_padded = M::min_size == M::max_size && surplus != 0 && layout.size == size;
+    const bool is_padded = info.min_size == info.max_size && surplus != 0 && layout.size == size;
     const bool is_nearer = missing + surplus < least;
     const bool has_padded = !result.layout.parts.empty();
-    if (is_padded == has_padded ? !is_nearer : has_padded) return;
+    if (is_padded == has_padded ? !is_nearer : has_padded) continue;
     least = missing + surplus;
-    result = {&Meta<M>::info, is_padded ? std::move(layout) : PaddedLayout(), has_field};
-  });
+    result = {&info, is_padded ? std::move(layout) : PaddedLayout(), has_field};
+  }
   return result;
 }
 
@@ -198,29 +182,37 @@ struct BlockSearch {
   }
 };
 
-/// Says that the request, which is not known, decides what a body holds; "" if it does not.
 template <class M>
 std::string blocks_note(const M& message, std::span<const std::uint8_t> body,
                         const Contexts& contexts) {
-  if constexpr (requires {
-                  contexts.of(message);
-                  message.tail.empty();
-                }) {
-    if (message.tail.empty()) return "";
-    BlockSearch<M> search{.body = body, .context = contexts.of(message)};
-    search.search();
-    if (search.is_known || !search.has_flags) return "";
-    std::string text = "the flags of the request decide what the tail holds";
-    constexpr std::size_t most = 8;
-    const std::size_t count = search.found.size();
-    for (std::size_t i = 0; i < std::min(count, most); ++i) {
-      text += (i == 0 ? "; its size is that of " : i + 1 == count ? " or " : ", ");
-      text += search.found[i];
-    }
-    if (count > most) text += " or " + std::to_string(count - most) + " others";
-    return text;
+  if (message.tail.empty()) return "";
+  BlockSearch<M> search{.body = body, .context = contexts.of(message)};
+  search.search();
+  if (search.is_known || !search.has_flags) return "";
+  std::string text = "the flags of the request decide what the tail holds";
+  constexpr std::size_t most = 8;
+  const std::size_t count = search.found.size();
+  for (std::size_t i = 0; i < std::min(count, most); ++i) {
+    text += (i == 0 ? "; its size is that of " : i + 1 == count ? " or " : ", ");
+    text += search.found[i];
   }
-  return "";
+  if (count > most) text += " or " + std::to_string(count - most) + " others";
+  return text;
+}
+
+/// Says that the request, which is not known, decides what a body holds; "" if it does not.
+std::string blocks_note(const AnyMessage& message, std::span<const std::uint8_t> body,
+                        const Contexts& contexts) {
+  std::string note;
+  AllMessages::for_each([&]<class M>(Type<M>) {
+    if constexpr (requires(const M& typed) {
+                    contexts.of(typed);
+                    typed.tail.empty();
+                  }) {
+      if (const M* const typed = message.get_if<M>()) note = blocks_note(*typed, body, contexts);
+    }
+  });
+  return note;
 }
 
 /// Writes objections by path; that to the whole message has the path "".
@@ -248,6 +240,14 @@ void put_name(TextOutput& out, const char* name) {
   out.put('"');
 }
 
+std::string_view json(const AnyMessage& message, std::string& to, Secrets secrets) {
+  to.clear();
+  StringOutput out(to);
+  message.write_json(out, secrets);
+  out.finish();
+  return to;
+}
+
 }  // namespace
 
 DecodedFrame FrameDecoder::decode(const Frame& frame, std::optional<Direction> direction) {
@@ -271,61 +271,39 @@ DecodedFrame FrameDecoder::decode(const Frame& frame, std::optional<Direction> d
   return result;
 }
 
-/// Puts a decoded message into the wanted forms.
-struct FrameDecoder::Taker {
-  FrameDecoder& decoder;
-  DecodedFrame& result;
-
-  template <class M>
-  static std::string_view json(const M& message, std::string& to, Secrets secrets) {
-    to.clear();
-    StringOutput out(to);
-    write_json(message, static_cast<TextOutput&>(out), secrets);
-    out.finish();
-    return to;
-  }
-
-  template <class M>
-  void operator()(const M& message) const {
-    if (decoder.wanted_.rows) {
-      result.note = blocks_note(message, result.frame.body, decoder.contexts_);
-    }
-    decoder.contexts_.learn(without_surplus(message));
-    if constexpr (requires { versions_of(message); }) decoder.seen_ = versions_of(message);
-    if (decoder.wanted_.json) {
-      result.fields = json(message, decoder.json_, decoder.wanted_.secrets);
-      result.values = result.fields;
-      if constexpr (Meta<M>::info.has_secret()) {
-        result.values = json(message, decoder.with_secrets_, Secrets::shown);
-      }
-    }
-    if (decoder.wanted_.rows || decoder.versions_) {
-      decoder.rows_.assign(message, decoder.versions_.value_or(newest),
-                           decoder.versions_.value_or(decoder.seen_), decoder.wanted_.secrets);
-      result.rows = decoder.rows_.rows();
+void FrameDecoder::take(const AnyMessage& message, DecodedFrame& result) {
+  if (wanted_.rows) result.note = blocks_note(message, result.frame.body, contexts_);
+  message.teach(contexts_);
+  if (const auto* const info = message.get_if<roles::Introduction>()) seen_ = versions_of(*info);
+  if (wanted_.json) {
+    result.fields = json(message, json_, wanted_.secrets);
+    result.values = result.fields;
+    if (message.type().info->has_secret()) {
+      result.values = json(message, with_secrets_, Secrets::shown);
     }
   }
-};
+  if (wanted_.rows || versions_) {
+    rows_.assign(message, versions_.value_or(newest), versions_.value_or(seen_), wanted_.secrets);
+    result.rows = rows_.rows();
+  }
+}
 
 DecodedFrame FrameDecoder::decode_from(const Frame& frame, Direction direction) {
   DecodedFrame result{.frame = frame, .direction = direction, .secrets = wanted_.secrets};
-  result.command = command_name(frame.id, result.direction);
+  result.command = command_name(frame.id, direction);
+  const MessageType* const type = find_message(direction, frame.id, frame.body.size(), contexts_);
   result.status = decode_body(frame.body, contexts_, result);
   result.error_field = result.status.field;
   others_.clear();
-  const auto use = [&]<class M>(Type<M>) {
-    result.message = &Meta<M>::info;
+  if (type != nullptr) {
+    result.message = type->info;
     result.is_for_firmware = versions_.has_value();
-    if (versions_) result.objection = objection_to(Meta<M>::info, *versions_);
+    if (versions_) result.objection = objection_to(*type->info, *versions_);
     if (result.status.code == Code::too_short && result.error_field.empty()) {
-      result.error_field = field_at<M>(result.status.offset);
+      result.error_field = field_at(*type, result.status.offset);
     }
-    if constexpr (detail::IsAsked<M>) {
-      if (!result.status || contexts_.*OtherForms<M>::asked != Form::only) return;
-      OtherForms<M>::Types::for_each([&]<class Other>(Type<Other>) { add_other<Other>(result); });
-    }
-  };
-  select_received(result.direction, frame.id, frame.body.size(), use, contexts_);
+    if (result.status) add_others(result);
+  }
   if (!result.status) describe_error(result);
   const bool has_surplus = direction == Direction::to_board && result.message != nullptr &&
                            frame.body.size() > result.message->max_size;
@@ -339,25 +317,30 @@ DecodedFrame FrameDecoder::decode_from(const Frame& frame, Direction direction) 
   return result;
 }
 
-template <class M>
-void FrameDecoder::add_other(DecodedFrame& result) {
-  OtherReading other{.message = &Meta<M>::info};
-  AllMessages::for_each([&]<class Request>(Type<Request>) {
-    if constexpr (requires { requires std::same_as<typename Request::Response, M>; }) {
-      other.request = Meta<Request>::info.name;
+void FrameDecoder::add_others(DecodedFrame& result) {
+  AllMessages::for_each([&]<class M>(Type<M>) {
+    if constexpr (detail::IsAsked<M>) {
+      if (&Meta<M>::info != result.message) return;
+      if (contexts_.*OtherForms<M>::asked != Form::only) return;
+      OtherForms<M>::Types::for_each(
+          [&]<class Other>(Type<Other>) { add_other(detail::message_type<Other>(), result); });
     }
   });
-  ValueRows& rows = others_.emplace_back();
-  const auto take = [&](const M& message) {
-    if (wanted_.rows) {
-      rows.assign(message, versions_.value_or(newest), versions_.value_or(seen_), wanted_.secrets);
-      other.rows = rows.rows();
+}
+
+void FrameDecoder::add_other(const MessageType& type, DecodedFrame& result) {
+  AnyMessage message = type.make();
+  if (!message.decode(result.frame.body, contexts_)) return;
+  OtherReading& other = result.others.emplace_back(OtherReading{.message = type.info});
+  for (const MessageType* const request : message_types()) {
+    for (const std::string_view answer : request->info->answers) {
+      if (answer == type.info->name) other.request = request->info->name;
     }
-  };
-  const std::span<const std::uint8_t> body = result.frame.body;
-  if (detail::decode_and_call<M>(body.data(), body.size(), take, contexts_)) {
-    result.others.push_back(other);
   }
+  ValueRows& rows = others_.emplace_back();
+  if (!wanted_.rows) return;
+  rows.assign(message, versions_.value_or(newest), versions_.value_or(seen_), wanted_.secrets);
+  other.rows = rows.rows();
 }
 
 void FrameDecoder::describe_error(DecodedFrame& result) {
@@ -405,10 +388,17 @@ void FrameDecoder::explain_size(DecodedFrame& result) {
   result.certain = 0;  // the values are not at these places of the body
 }
 
-// Not inlined: it contains the decoders of all messages.
-SBGC_NOINLINE Status FrameDecoder::decode_body(std::span<const std::uint8_t> body,
-                                               const Contexts& contexts, DecodedFrame& result) {
-  return visit_received(result.frame.id, body, result.direction, Taker{*this, result}, contexts);
+Status FrameDecoder::decode_body(std::span<const std::uint8_t> body, const Contexts& contexts,
+                                 DecodedFrame& result) {
+  const std::uint8_t id = result.frame.id;
+  const MessageType* const type = find_message(result.direction, id, body.size(), contexts);
+  if (type == nullptr) {
+    return {has_command(result.direction, id) ? Code::unknown_form : Code::unknown_command};
+  }
+  AnyMessage message = type->make();
+  const Status status = message.decode(body, contexts);
+  if (status) take(message, result);
+  return status;
 }
 
 void FrameDecoder::decode_arrived(DecodedFrame& result) {

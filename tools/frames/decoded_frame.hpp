@@ -86,13 +86,14 @@ class FrameDecoder {
   DecodedFrame decode(const Frame& frame, std::optional<Direction> direction);
 
  private:
-  struct Taker;
-
   DecodedFrame decode_from(const Frame& frame, Direction direction);
   Status decode_body(std::span<const std::uint8_t> body, const Contexts& contexts,
                      DecodedFrame& result);
-  template <class M>
-  void add_other(DecodedFrame& result);
+  /// Puts a decoded message into the wanted forms.
+  void take(const AnyMessage& message, DecodedFrame& result);
+  /// Adds what else the body may be, if nobody has seen the request that decides it.
+  void add_others(DecodedFrame& result);
+  void add_other(const MessageType& type, DecodedFrame& result);
   /// Sets the explanation, and the rows of a body that is too short.
   void describe_error(DecodedFrame& result);
   /// Sets the rows of a body that is too short.

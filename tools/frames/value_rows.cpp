@@ -1,5 +1,7 @@
 #include "frames/value_rows.hpp"
 
+#include <sbgc/internal/compiler.hpp>
+
 #include "values/unnamed.hpp"
 
 namespace sbgc::tools {
@@ -17,11 +19,28 @@ void PathText::replace(const FieldPath& path) {
   text_ = to_string(path);
 }
 
-void ValueRows::begin(const MessageInfo& info) {
-  rows_ = &rows_of_messages_[&info];
+void ValueRows::assign(const AnyMessage& message, const Availability& allowed,
+                       const Availability& meant, Secrets secrets) {
+  rows_ = &rows_of_messages_[&message.type()];
   size_ = 0;
   objected_ = 0;
+  secrets_ = secrets;
   text_.clear();
+  StringOutput out(text_);
+  message.for_each_leaf([&](const Leaf& leaf) { add(leaf, out); }, meant);
+  out.finish();
+  message.validate(allowed, [&](const Violation& violation) { object(violation); });
+}
+
+// Most values need nothing of what is not inlined.
+
+SBGC_NOINLINE void ValueRows::put_secret(Leaf leaf, StringOutput& out) const {
+  leaf.secrets = secrets_;
+  put_raw(out, leaf);
+}
+
+SBGC_NOINLINE void ValueRows::note_unnamed(Row& row, const Leaf& leaf) {
+  row.objection = unnamed_text(leaf);
 }
 
 void ValueRows::add(const Leaf& leaf, StringOutput& out) {
@@ -34,16 +53,14 @@ void ValueRows::add(const Leaf& leaf, StringOutput& out) {
   row.size = leaf.size;
   row.raw = out.size();
   if (leaf.field.secret) {
-    Leaf secret = leaf;
-    secret.secrets = secrets_;
-    put_raw(out, secret);
+    put_secret(leaf, out);
   } else {
     put_raw(out, leaf);
   }
   row.meaning = out.size();
   put_meaning(out, leaf);
   row.end = out.size();
-  if (leaf.names != nullptr || leaf.packed != nullptr) row.objection = unnamed_text(leaf);
+  if (leaf.names != nullptr || leaf.packed != nullptr) note_unnamed(row, leaf);
 }
 
 void ValueRows::object(const Violation& violation) {

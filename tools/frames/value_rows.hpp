@@ -10,6 +10,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include <sbgc/any.hpp>
 #include <sbgc/text.hpp>
 
 namespace sbgc::tools {
@@ -83,39 +84,20 @@ class ValueRows {
  public:
   /// Replaces the rows by those of a message, without reserved values that are 0. They mean what
   /// they do on a board of the versions `meant`; objections are those of the versions `allowed`.
-  template <class M>
-  void assign(const M& message, const Availability& allowed, const Availability& meant,
-              Secrets secrets = Secrets::hidden) {
-    begin(Meta<M>::info);
-    secrets_ = secrets;
-    StringOutput out(text_);
-    for_each_leaf(message, Adder{*this, out}, meant);
-    out.finish();
-    validate(message, allowed, Objector{*this});
-  }
+  void assign(const AnyMessage& message, const Availability& allowed, const Availability& meant,
+              Secrets secrets = Secrets::hidden);
 
   /// Returns the rows, valid until the next message.
   Rows rows() const { return {{rows_->data(), size_}, text_.data()}; }
 
  private:
-  struct Adder {
-    ValueRows& rows;
-    StringOutput& out;
-
-    void operator()(const Leaf& leaf) const { rows.add(leaf, out); }
-  };
-  struct Objector {
-    ValueRows& rows;
-
-    void operator()(const Violation& violation) const { rows.object(violation); }
-  };
-
-  void begin(const MessageInfo& info);
   void add(const Leaf& leaf, StringOutput& out);
+  void put_secret(Leaf leaf, StringOutput& out) const;
+  static void note_unnamed(Row& row, const Leaf& leaf);
   void object(const Violation& violation);
 
   // The paths of a message rarely change from one frame to the next.
-  std::unordered_map<const MessageInfo*, std::vector<Row>> rows_of_messages_;
+  std::unordered_map<const MessageType*, std::vector<Row>> rows_of_messages_;
   std::vector<Row>* rows_ = nullptr;  // of the message, the first size_
   std::size_t size_ = 0;
   Secrets secrets_{};

@@ -9,7 +9,7 @@ namespace sbgc::detail {
 
 namespace {
 
-/// Calls `use(kind of number)`, one with a size on the wire.
+/// Calls `use(T{})` with the type of a number on the wire.
 template <class Use>
 void with_wire_number(RawType type, const Use& use) {
   if (type == RawType::u24) return use(U24{});
@@ -17,40 +17,26 @@ void with_wire_number(RawType type, const Use& use) {
   with_raw(type, use);
 }
 
-void get(const ValueType& type, const std::uint8_t* from, void* to) {
-  if (type.kind == Kind::scalar) {
-    return with_wire_number(type.raw, [&]<class T>(T) { store(to, load_raw<T>(from)); });
-  }
-  if (type.group != nullptr) {
-    for (const Slot& slot : type.group->slots) {
-      get(*slot.type, from, moved(to, slot.offset));
-      from += slot.type->wire;
+void get(const Run& run, const std::uint8_t* body, void* message) {
+  const std::uint8_t* const from = body + run.wire;
+  void* const to = moved(message, run.memory);
+  if (run.raw == RawType::u8) return copy_memory(to, from, run.count);
+  with_wire_number(run.raw, [&]<class T>(T) {
+    for (std::size_t i = 0; i < run.count; ++i) {
+      store(moved(to, i * sizeof(RawOf<T>)), load_raw<T>(from + i * wire_size<T>));
     }
-  } else if (type.kind == Kind::array) {
-    for (std::size_t i = 0; i < type.count; ++i) {
-      get(*type.element, from + i * type.element->wire, element_at(type, to, i));
-    }
-  } else {
-    copy_memory(to, from, type.wire);  // bytes or a text
-  }
+  });
 }
 
-void put(const ValueType& type, std::uint8_t* to, const void* from) {
-  if (type.kind == Kind::scalar) {
-    return with_wire_number(type.raw, [&]<class T>(T) { store_raw<T>(to, load<RawOf<T>>(from)); });
-  }
-  if (type.group != nullptr) {
-    for (const Slot& slot : type.group->slots) {
-      put(*slot.type, to, moved(from, slot.offset));
-      to += slot.type->wire;
+void put(const Run& run, const void* message, std::uint8_t* body) {
+  std::uint8_t* const to = body + run.wire;
+  const void* const from = moved(message, run.memory);
+  if (run.raw == RawType::u8) return copy_memory(to, from, run.count);
+  with_wire_number(run.raw, [&]<class T>(T) {
+    for (std::size_t i = 0; i < run.count; ++i) {
+      store_raw<T>(to + i * wire_size<T>, load<RawOf<T>>(moved(from, i * sizeof(RawOf<T>))));
     }
-  } else if (type.kind == Kind::array) {
-    for (std::size_t i = 0; i < type.count; ++i) {
-      put(*type.element, to + i * type.element->wire, element_at(type, from, i));
-    }
-  } else {
-    copy_memory(to, from, type.wire);
-  }
+  });
 }
 
 /// The tail, if later firmware may append one.
@@ -68,7 +54,7 @@ Status decode_fixed(const AnyOperations& of, std::span<const std::uint8_t> body,
   if (tail != nullptr ? body.size() < size : body.size() != size) {
     return wrong_size(body.size(), size);
   }
-  get({.kind = Kind::group, .group = of.table}, body.data(), message);
+  for (const Run& run : of.runs) get(run, body.data(), message);
   if (tail == nullptr) return {};
   void* const at = moved(message, tail->offset);
   if (!resize(*tail->type, at, body.size() - size)) {
@@ -86,7 +72,7 @@ WriteResult encode_fixed(const AnyOperations& of, const void* message,
   const std::size_t more = tail == nullptr ? 0 : size_at(*tail->type, at);
   const std::size_t size = of.min_size + more;
   if (out.size() < size) return {0, {Code::buffer_too_small}};
-  put({.kind = Kind::group, .group = of.table}, out.data(), message);
+  for (const Run& run : of.runs) put(run, message, out.data());
   if (more != 0) copy_memory(out.data() + of.min_size, moved(at, tail->type->begin), more);
   return {size, {}};
 }

@@ -53,10 +53,13 @@ constexpr detail::AnyOperations operations_of() {
                                .encode = detail::encode_fixed,
                                .teach = teacher_of<M>(),
                                .table = &detail::table_of<Received<M>>(),
+                               .runs = {},
                                .size = sizeof(M),
                                .min_size = M::min_size,
                                .takes_surplus = takes_surplus<M>};
-  if constexpr (!detail::has_only_fixed<M>) {
+  if constexpr (detail::has_only_fixed<M>) {
+    result.runs = detail::runs_of<M>;
+  } else {
     result.decode = decode_as<M>;
     result.encode = encode_as<M>;
   }

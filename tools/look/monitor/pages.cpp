@@ -377,7 +377,11 @@ Window draw_charts(Screen& screen, View& view, const GimbalSnapshot& gimbal) {
 Window draw_values(Screen& screen, View& view, const GimbalSnapshot& gimbal) {
   if (!gimbal.message) return {};
   ValueRows values;
-  std::visit([&](const auto& message) { values.assign(message, newest, newest); }, *gimbal.message);
+  std::visit(
+      [&]<class M>(const M& message) {
+        values.assign(AnyMessage(*find_message(Meta<M>::info.name), &message), newest, newest);
+      },
+      *gimbal.message);
   const Rows rows = values.rows();
   constexpr std::size_t column_width = 66;
   const auto count = static_cast<std::size_t>(rows.end() - rows.begin());

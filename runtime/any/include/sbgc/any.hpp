@@ -42,6 +42,14 @@ namespace detail {
 /// The most memory of a message that takes surplus.
 inline constexpr std::size_t largest_with_surplus = 1024;
 
+/// Numbers of one type that are one after another in a body and in memory.
+struct Run {
+  std::uint16_t wire{};  ///< the offset in the body
+  std::uint16_t memory{};
+  std::uint16_t count{};
+  RawType raw{};
+};
+
 /// What depends on the type of a message. All else goes by the table of the Received<M>.
 struct AnyOperations {
   void (*construct)(void* message);
@@ -50,6 +58,7 @@ struct AnyOperations {
   WriteResult (*encode)(const AnyOperations& of, const void* message, std::span<std::uint8_t> out);
   void (*teach)(const void* message, Contexts& contexts);  ///< null if it has no such facts
   const StructTable* table;
+  std::span<const Run> runs;  ///< of a message with only fixed members
   std::size_t size;      ///< of an M in memory, without the surplus
   std::size_t min_size;  ///< of a body
   bool takes_surplus;    ///< the tail of the table is surplus

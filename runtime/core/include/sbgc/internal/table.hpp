@@ -36,6 +36,7 @@ struct ValueType {
   bool is_bounded{};           ///< the number of bytes or elements varies; the first byte has it
   bool is_variable_id{};       ///< of an adjustable variable
   bool is_gimbal{};            ///< the axes are those of the gimbal
+  bool has_versions{};         ///< not all firmware has each of its names
   std::uint16_t memory{};      ///< the size in memory
   std::uint16_t wire{};        ///< the size on the wire; 0 if it varies
   std::uint16_t count{};       ///< of bytes, characters or elements: the size, or the capacity
@@ -91,11 +92,15 @@ struct StructTable {
   Slot tail{};  ///< of bytes that later firmware appends; without a type if there is none
   std::span<const OrderRule> rules{};
   void (*find_used)(const void* object, UsedMembers& used){};  ///< null: the board uses all
+  const bool* are_limited{};  ///< for each member, if its value can violate the specification
 };
 
 template <class T>
+consteval StructTable struct_table() noexcept;
+
+template <class T>
 struct TableOf {
-  static const StructTable table;
+  static constexpr StructTable table = struct_table<T>();
 };
 
 /// Returns the table of a message or struct.
@@ -132,6 +137,24 @@ constexpr ScalarInfo scalar_info() noexcept {
   } else {
     return {};
   }
+}
+
+constexpr bool is_in_all(const Availability& since) noexcept {
+  return since.firmware == 0 && since.board == 0 && since.features == 0;
+}
+constexpr bool has_versions(const EnumInfo& names) noexcept {
+  for (const ValueInfo& value : names.values) {
+    if (!is_in_all(value.since)) return true;
+  }
+  return false;
+}
+constexpr bool has_versions(const ScalarInfo& meaning) noexcept {
+  if (meaning.names != nullptr) return has_versions(*meaning.names);
+  if (meaning.packed == nullptr) return false;
+  for (const PartInfo& part : meaning.packed->parts) {
+    if (part.values != nullptr && has_versions(*part.values)) return true;
+  }
+  return false;
 }
 
 /// Returns a size or an offset, which must fit.
@@ -171,6 +194,7 @@ consteval ValueType value_type_of() noexcept {
     type.raw = raw_type<T>();
     type.is_variable_id = std::is_same_v<T, msg::VariableId>;
     type.meaning = scalar_info<T>();
+    type.has_versions = has_versions(type.meaning);
   } else if constexpr (kind == Kind::optional) {
     type.begin = small(Places::of_flag<T>());
     type.element = &value_type<typename T::value_type>;
@@ -232,6 +256,34 @@ void find_used(const void* object, UsedMembers& used) {
   Meta<T>::visit_used(*static_cast<const T*>(object), UsedMembersFinder<T>{used});
 }
 
+constexpr bool has_limits(const FieldInfo& field) noexcept {
+  return field.range != nullptr || field.align != 1 || !field.later.empty() ||
+         field.is_variable_value || !is_in_all(field.since);
+}
+/// True if some values of the type violate the specification, whatever the field. The number of
+/// elements may, too.
+constexpr bool has_limits(const ValueType& type) noexcept {
+  switch (type.kind) {
+    case Kind::scalar: return type.is_variable_id || type.has_versions;
+    case Kind::axes:
+    case Kind::array: return has_limits(*type.element);
+    case Kind::bytes: return type.is_bounded;
+    case Kind::text:
+    case Kind::number: return false;
+    default: return true;
+  }
+}
+
+template <class T, class Members>
+inline constexpr auto limited_members = [] {
+  std::array<bool, std::size(Meta<T>::fields)> are_limited{};
+  const Slot* slot = Meta<T>::template slots<Members>;
+  for (std::size_t i = 0; i < are_limited.size(); ++i, ++slot) {
+    are_limited[i] = has_limits(Meta<T>::fields[i]) || has_limits(*slot->type);
+  }
+  return are_limited;
+}();
+
 /// The struct with all members of a T, except perhaps the tail.
 template <class T>
 struct WithoutTail {
@@ -252,6 +304,7 @@ consteval StructTable struct_table() noexcept {
   } else if constexpr (requires { Meta<T>::template slots<Members>; }) {
     table.slots = Meta<T>::template slots<Members>;
     table.fields = Meta<T>::fields;
+    table.are_limited = limited_members<T, Members>.data();
   }
   if constexpr (requires(const Members& value) { Meta<Members>::rules(value, [](auto&&...) {}); }) {
     table.rules = {rules_of<Members>.first.data(), rules_of<Members>.second};
@@ -268,8 +321,5 @@ consteval StructTable struct_table() noexcept {
 }
 
 #pragma GCC diagnostic pop
-
-template <class T>
-constexpr StructTable TableOf<T>::table = struct_table<T>();
 
 }  // namespace sbgc::detail

@@ -26,8 +26,9 @@ class Violations {
     UsedMembers used;
     if (table.find_used != nullptr) table.find_used(object, used);
     const VariableInfo* variable = nullptr;  // the one that the last VariableId names, or null
-    std::size_t index = 0;
-    for (const Slot& slot : table.slots) {
+    for (std::size_t index = 0; index < table.slots.size(); ++index) {
+      if (!table.are_limited[index]) continue;
+      const Slot& slot = table.slots[index];
       const FieldInfo& field = table.fields[index];
       const void* const at = moved(object, slot.offset);
       const FieldPath path{parent, field.name};
@@ -39,7 +40,6 @@ class Violations {
       } else {
         value(field, *slot.type, at, path);
       }
-      ++index;
     }
     for (const OrderRule& rule : table.rules) order(table, rule, object, parent);
     // A tail may be anything.
@@ -91,6 +91,7 @@ class Violations {
     const auto bits = static_cast<std::uint64_t>(raw);
     const bool is_u64 = type.raw == RawType::u64;
     limited(is_u64 ? static_cast<double>(bits) : static_cast<double>(raw), place, raw);
+    if (!type.has_versions) return;
     const auto use = [&](const ValueInfo& known, std::int64_t of) {
       exists(known.since, static_cast<double>(of), place, &known);
     };
@@ -160,6 +161,10 @@ class Violations {
 
   void exists(const Availability& since, double value, const Place& place,
               const ValueInfo* named = nullptr) {
+    if (!is_available(since, versions_)) lack(since, value, place, named);
+  }
+  SBGC_NOINLINE void lack(const Availability& since, double value, const Place& place,
+                          const ValueInfo* named) {
     require(since.firmware <= versions_.firmware, place,
             {value, static_cast<double>(since.firmware), Rule::firmware, nullptr, named});
     require(since.board <= versions_.board, place,
@@ -216,9 +221,60 @@ class Violations {
   bool has_found_ = false;
 };
 
+/// Finds out quickly that there are none: most messages have none. If it cannot, there may be some.
+class PlainCheck {
+ public:
+  explicit PlainCheck(const Availability& versions) noexcept : versions_(versions) {}
+
+  bool members(const StructTable& table, const void* object) const {
+    if (table.find_used != nullptr || !table.rules.empty()) return false;
+    for (std::size_t i = 0; i < table.slots.size(); ++i) {
+      if (!table.are_limited[i]) continue;
+      const Slot& slot = table.slots[i];
+      if (!value(table.fields[i], *slot.type, moved(object, slot.offset))) return false;
+    }
+    return true;
+  }
+
+ private:
+  bool value(const FieldInfo& field, const ValueType& type, const void* at) const {
+    if (type.kind == Kind::scalar) return scalar(field, type, at);
+    if (type.kind == Kind::group) return members(*type.group, at);
+    if (type.kind != Kind::axes && type.kind != Kind::array) return false;
+    for (std::size_t i = 0; i < type.count; ++i) {
+      if (!value(field, *type.element, element_at(type, at, i))) return false;
+    }
+    return true;
+  }
+  bool scalar(const FieldInfo& field, const ValueType& type, const void* at) const {
+    const bool is_number = !is_real(type.raw) && type.raw != RawType::u64;
+    if (!is_number || field.is_variable_value || !field.later.empty()) return false;
+    const std::int64_t raw = load_integer(type.raw, at);
+    if (raw != 0 && !is_available(field.since, versions_)) return false;
+    if (field.align != 1 && raw % field.align != 0) return false;
+    if (field.range != nullptr) {
+      const auto number = static_cast<double>(raw);
+      if (number < field.range->lowest || number > field.range->highest) return false;
+    }
+    return !type.has_versions || has_names(type.meaning, static_cast<std::uint64_t>(raw));
+  }
+  SBGC_NOINLINE bool has_names(const ScalarInfo& meaning, std::uint64_t raw) const {
+    bool result = true;
+    const auto check = [&](const ValueInfo& known, std::int64_t) {
+      result = result && is_available(known.since, versions_);
+    };
+    if (meaning.names != nullptr) for_each_name(*meaning.names, raw, check);
+    if (meaning.packed != nullptr) for_each_name(*meaning.packed, raw, check);
+    return result;
+  }
+
+  const Availability& versions_;
+};
+
 /// Returns true if there are none.
 inline bool report_violations(const StructTable& table, const void* message,
                               const Availability& versions, Violations::Report report, void* user) {
+  if (PlainCheck(versions).members(table, message)) return true;
   Violations found(versions, report, user);
   found.members(table, message);
   return found.are_none();

@@ -110,6 +110,11 @@ inline const char* special_meaning(const Leaf& leaf) {
 
 namespace detail {
 
+SBGC_NOINLINE inline void put_packed(TextOutput& out, const Leaf& leaf) {
+  const auto raw = static_cast<std::uint64_t>(leaf.integer);
+  out.put(packed_text(*leaf.packed, low_bits(raw, leaf.size)));
+}
+
 inline void put_certain_meaning(TextOutput& out, const Leaf& leaf) {
   if (leaf.unit != nullptr) {
     if (leaf.unit->is_plain()) return;
@@ -118,8 +123,7 @@ inline void put_certain_meaning(TextOutput& out, const Leaf& leaf) {
     if (!leaf.names->is_flags) return out.put(detail::value_name(*leaf.names, leaf.integer));
     detail::put_flags(out, *leaf.names, static_cast<std::uint32_t>(leaf.integer));
   } else if (leaf.packed != nullptr) {
-    out.put(detail::packed_text(
-        *leaf.packed, detail::low_bits(static_cast<std::uint64_t>(leaf.integer), leaf.size)));
+    put_packed(out, leaf);
   } else if (leaf.announced != NumberType::none) {
     out.put(name(leaf.announced));
   }
@@ -148,20 +152,25 @@ inline std::string assumption_text(const Leaf& leaf) {
          detail::version_text<VersionTypes::Firmware>(leaf.assumed_before->since.firmware);
 }
 
+namespace detail {
+
+SBGC_NOINLINE inline void put_assumed_meaning(TextOutput& out, const Leaf& leaf) {
+  const std::string meaning = text_of([&](TextOutput& text) { put_certain_meaning(text, leaf); });
+  out.put(meaning.empty() ? raw_text(leaf) : meaning);
+  out.put(" (");
+  out.put(assumption_text(leaf));
+  out.put(')');
+}
+
+}  // namespace detail
+
 /// Writes the meaning of the raw value: "-30 deg", "MODE_ANGLE", "2.43b9", "use the current
 /// profile"; nothing if the number itself is the meaning. A meaning that depends on the firmware,
 /// if that is not known, is followed by what it assumes: "0.12 (before firmware 2.73.1)".
 inline void put_meaning(TextOutput& out, const Leaf& leaf) {
   if (const char* const special = special_meaning(leaf)) return out.put(special);
-  if (leaf.assumed_before == nullptr) return detail::put_certain_meaning(out, leaf);
-  Leaf certain = leaf;
-  certain.assumed_before = nullptr;
-  const std::string meaning =
-      detail::text_of([&](TextOutput& text) { detail::put_certain_meaning(text, certain); });
-  out.put(meaning.empty() ? raw_text(leaf) : meaning);
-  out.put(" (");
-  out.put(assumption_text(leaf));
-  out.put(')');
+  if (leaf.assumed_before != nullptr) return detail::put_assumed_meaning(out, leaf);
+  detail::put_certain_meaning(out, leaf);
 }
 /// Returns what put_meaning() writes.
 inline std::string meaning_text(const Leaf& leaf) {
