@@ -58,8 +58,7 @@ class LeafFinder : LeafWalk {
       case Kind::axes: return axis(field, type, at, path);
       case Kind::array:
       case Kind::list: return element(field, type, at, path);
-      case Kind::optional:
-        return is_present(type, at) && value(field, *type.element, at, path);
+      case Kind::optional: return is_present(type, at) && value(field, *type.element, at, path);
       default: break;
     }
     if (!steps_.is_end()) return false;
