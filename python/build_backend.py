@@ -1,7 +1,8 @@
 """Builds the package with CMake (PEP 517), without other Python packages.
 
-The libraries that it needs are those of `./dev build`, and pybind11: see `python` in ./dev. The same
-commit makes the same wheel if SOURCE_DATE_EPOCH is set.
+The libraries that it needs are those of `./dev build`, and pybind11: see `python` in ./dev. A Python
+that is newer than Debian's needs a newer pybind11, which pip provides. The same commit makes the same
+wheel if SOURCE_DATE_EPOCH is set.
 """
 
 from __future__ import annotations
@@ -10,6 +11,7 @@ import base64
 import gzip
 import hashlib
 import importlib
+import importlib.util
 import io
 import os
 import re
@@ -24,9 +26,13 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, Optional
 
+if sys.version_info < (3, 9):
+    raise SystemExit(f"sbgc: Python 3.9 or newer is needed, this is {sys.version.split()[0]}")
+
 ROOT = Path(__file__).resolve().parents[1]
-# A folder for each Python: what CMake has found for one does not fit another.
-BUILD = ROOT / "build" / "wheel" / (sys.implementation.cache_tag or "python")
+# For every Python: only the extension differs.
+BUILD = ROOT / "build" / "wheel"
+EXTENSION = f"_core{sysconfig.get_config_var('EXT_SUFFIX')}"
 # What the package is built from.
 SOURCES = [
     *("CMakeLists.txt", "LICENSE", "README.md", "pyproject.toml", "runtime", "emulator"),
@@ -48,10 +54,25 @@ HEADERS = {
 }
 
 
+# Modules that read TOML; from 3.11 on, Python has the first.
+TOML = ["tomllib", "tomli", "pip._vendor.tomli"]
+
+
+def _has_module(name: str) -> bool:
+    try:
+        return importlib.util.find_spec(name) is not None
+    except ModuleNotFoundError:  # of a parent
+        return False
+
+
+def get_requires_for_build_wheel(config_settings: Settings = None) -> list[str]:
+    """The packages that this Python needs for building: none with Debian's."""
+    needed = [] if any(map(_has_module, TOML)) else ["tomli"]
+    return needed + (["pybind11 >= 2.13.6"] if sys.version_info >= (3, 12) else [])
+
+
 def _project() -> dict[str, Any]:
-    toml = importlib.import_module(
-        "tomllib" if sys.version_info >= (3, 11) else "pip._vendor.tomli"
-    )
+    toml = importlib.import_module(next(filter(_has_module, TOML)))
     table: dict[str, Any] = toml.loads((ROOT / "pyproject.toml").read_text())["project"]
     return table
 
@@ -61,6 +82,8 @@ def missing_packages() -> list[str]:
     missing = [package for package, name in PROGRAMS.items() if shutil.which(name) is None]
     if "g++" not in missing:
         missing += [package for package, header in HEADERS.items() if not _has(header)]
+    if _has_module("pybind11") and "pybind11-dev" in missing:
+        missing.remove("pybind11-dev")
     if not Path(sysconfig.get_paths()["include"], "Python.h").exists():
         missing.append("python3-dev")
     return missing
@@ -125,10 +148,23 @@ def _compile() -> Path:
         "SBGC_BUILD_EXAMPLES": "OFF",
         "SBGC_REGENERATE": "OFF",
     }
+    if _has_module("pybind11"):
+        options["pybind11_DIR"] = importlib.import_module("pybind11").get_cmake_dir()
     said = [f"-D{name}={value}" for name, value in options.items()]
-    subprocess.run(["cmake", "-S", ROOT, "-B", BUILD, "-G", "Ninja", *said], check=True)
-    subprocess.run(["cmake", "--build", BUILD, "--target", "sbgc_python"], check=True)
+    cache = BUILD / "CMakeCache.txt"
+    if cache.exists() and f"CMAKE_HOME_DIRECTORY:INTERNAL={ROOT}\n" not in cache.read_text():
+        shutil.rmtree(BUILD)  # the checkout has been moved
+    # Without what CMake has found for another Python.
+    forget = ["-U", "*Python_*", "-U", "PYTHON_*", "-U", "pybind11_*"]
+    subprocess.run(["cmake", "-S", ROOT, "-B", BUILD, "-G", "Ninja", *forget, *said], check=True)
+    status = {**os.environ, "NINJA_STATUS": "sbgc: [%f of %t, %es] "}
+    subprocess.run(["cmake", "--build", BUILD, "--target", "sbgc_python"], check=True, env=status)
     return BUILD / "python" / "sbgc"
+
+
+def _package() -> list[Path]:
+    """The files of the package, of which the extension is for this Python alone."""
+    return [path for path in _files(_compile()) if path.name == EXTENSION or path.suffix != ".so"]
 
 
 def _time() -> float:
@@ -163,8 +199,7 @@ def build_wheel(
     wheel_directory: str, config_settings: Settings = None, metadata_directory: Optional[str] = None
 ) -> str:
     """Write the wheel, and return the name of its file."""
-    package = _compile()
-    files = {f"sbgc/{p.relative_to(package)}": p.read_bytes() for p in _files(package)}
+    files = {str(p.relative_to(BUILD / "python")): p.read_bytes() for p in _package()}
     return _write_wheel(wheel_directory, files)
 
 
@@ -172,9 +207,9 @@ def build_editable(
     wheel_directory: str, config_settings: Settings = None, metadata_directory: Optional[str] = None
 ) -> str:
     """Write a wheel that leads to the sources; the extension and new files need another one."""
-    folder = BUILD / "editable"
+    folder = BUILD / "editable" / (sys.implementation.cache_tag or "python")
     shutil.rmtree(folder, ignore_errors=True)
-    for built in _files(_compile()):
+    for built in _package():
         name = built.relative_to(BUILD / "python")
         sources = [ROOT / "python" / name, ROOT / "generated" / "python" / name, built]
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
@@ -230,12 +265,17 @@ def _add(archive: tarfile.TarFile, name: str, data: bytes) -> None:
     archive.addfile(entry, io.BytesIO(data))
 
 
+get_requires_for_build_editable = get_requires_for_build_wheel
+get_requires_for_build_sdist = get_requires_for_build_wheel
 prepare_metadata_for_build_editable = prepare_metadata_for_build_wheel
 
 __all__ = [
     "build_editable",
     "build_sdist",
     "build_wheel",
+    "get_requires_for_build_editable",
+    "get_requires_for_build_sdist",
+    "get_requires_for_build_wheel",
     "prepare_metadata_for_build_editable",
     "prepare_metadata_for_build_wheel",
 ]

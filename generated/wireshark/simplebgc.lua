@@ -1058,7 +1058,7 @@ local protocol = (function()
   messages[55].fields = {
   }
 
-  messages[56] = {name = "RealtimeData3", filter = "realtime_data3", command = "CMD_REALTIME_DATA_3", id = 23, min = 63, max = 63, open = true, keeps_tail = true, tail = 192}
+  messages[56] = {name = "RealtimeData3", filter = "realtime_data3", command = "CMD_REALTIME_DATA_3", id = 23, min = 63, max = 63, open = true, keeps_tail = true, tail = 192, role = {is = "battery", voltage = "bat_level"}}
   messages[56].fields = {
     {name = "axes", struct = "AxisSensors7", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 12},
     {name = "serial_error_cnt", type = "u16", count = 1, fixed = 2},
@@ -1350,7 +1350,7 @@ local protocol = (function()
     {name = "speed_lpf_freq", type = "u8", unit = "Hz", count = 1, fixed = 1, min = 1, max = 255, special = {[0] = "no filter"}, when = {steps = {"data_set"}, all = 32}},
   }
 
-  messages[83] = {name = "GetAngles", filter = "get_angles", command = "CMD_GET_ANGLES", id = 73, min = 18, max = 18, open = true, keeps_tail = true, tail = 237}
+  messages[83] = {name = "GetAngles", filter = "get_angles", command = "CMD_GET_ANGLES", id = 73, min = 18, max = 18, open = true, keeps_tail = true, tail = 237, role = {is = "angles", angle = "imu_angle"}}
   messages[83].fields = {
     {name = "axes", struct = "AxisState21", dim = "axis", index = {"roll", "pitch", "yaw"}, count = 3, fixed = 18},
   }
@@ -1368,11 +1368,11 @@ local protocol = (function()
   messages[86].fields = {
   }
 
-  messages[87] = {name = "MotorsOn", filter = "motors_on", command = "CMD_MOTORS_ON", id = 77, to_board = true, min = 0, max = 0, open = true, takes_surplus = true, tail = 255, does = {"moves"}, answers = {{confirm = true, certain = true, timeout = 0.5}}}
+  messages[87] = {name = "MotorsOn", filter = "motors_on", command = "CMD_MOTORS_ON", id = 77, to_board = true, min = 0, max = 0, open = true, takes_surplus = true, tail = 255, does = {"moves"}, role = {is = "motors_on"}, answers = {{confirm = true, certain = true, timeout = 0.5}}}
   messages[87].fields = {
   }
 
-  messages[88] = {name = "MotorsOff", filter = "motors_off", command = "CMD_MOTORS_OFF", id = 109, to_board = true, min = 0, max = 0, tail = 255, does = {"moves"}, answers = {{confirm = true, certain = true, timeout = 0.5}}}
+  messages[88] = {name = "MotorsOff", filter = "motors_off", command = "CMD_MOTORS_OFF", id = 109, to_board = true, min = 0, max = 0, tail = 255, does = {"moves"}, role = {is = "motors_off"}, answers = {{confirm = true, certain = true, timeout = 0.5}}}
   messages[88].fields = {
   }
 
@@ -1499,7 +1499,7 @@ local protocol = (function()
     {name = "reserved", blob = "bytes", size = 8, count = 1, fixed = 8, reserved = true},
   }
 
-  messages[103] = {name = "CalibGyro", filter = "calib_gyro", command = "CMD_CALIB_GYRO", id = 103, to_board = true, min = 0, max = 0, tail = 255, does = {"stores"}, answers = {{confirm = true, certain = true, count = 2, timeout = 30}}}
+  messages[103] = {name = "CalibGyro", filter = "calib_gyro", command = "CMD_CALIB_GYRO", id = 103, to_board = true, min = 0, max = 0, tail = 255, does = {"stores"}, role = {is = "gyro_calibration"}, answers = {{confirm = true, certain = true, count = 2, timeout = 30}}}
   messages[103].fields = {
   }
 

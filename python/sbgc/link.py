@@ -13,12 +13,12 @@ from difflib import get_close_matches
 from numbers import Real
 from typing import TYPE_CHECKING, Any, Literal, Optional, TypeVar, Union
 
-from sbgc import _core, msg
+from sbgc import _core, msg, roles
 from sbgc.emulator import Angles, Board
 from sbgc.errors import GimbalDisconnected, GimbalError, GimbalTimeout
 from sbgc.fields import limited
 from sbgc.message import Message, Request, wrap
-from sbgc.msg import BoardInfo, BoardInfo3, CalibInfo, RunScript, ScriptMode
+from sbgc.msg import CalibInfo, RunScript, ScriptMode
 
 M = TypeVar("M", bound=Message)
 T = TypeVar("T")
@@ -53,8 +53,8 @@ class Identity:
     board: str
     firmware: str
     serial_number: str
-    info: BoardInfo
-    details: Optional[BoardInfo3]
+    info: roles.Introduction
+    details: Optional[roles.Details]
     """Only of boards that have serial numbers."""
     firmware_problem: str  # "" unless the firmware is no real version, such as 0.00
 
@@ -214,8 +214,10 @@ class Link:
     def identity(self) -> Identity:
         """What the board reported about itself on connecting."""
         board, firmware, serial_number, info, details, problem = self._link.identity()
-        more = None if details is None else _as(BoardInfo3, details)
-        return Identity(board, firmware, serial_number, _as(BoardInfo, info), more, problem)
+        more = None if details is None else _as(roles.Details, details)
+        return Identity(
+            board, firmware, serial_number, _as(roles.Introduction, info), more, problem
+        )
 
     @property
     def firmware(self) -> str:

@@ -173,8 +173,20 @@ void Link::close(Instant until) {
 
 Link::Events Link::take_events() {
   if (is_forked()) return {};
-  const std::scoped_lock lock(state_->mutex);
-  return std::exchange(state_->events, {});
+  Events events;
+  {
+    const std::scoped_lock lock(state_->mutex);
+    events.swap(state_->events);
+  }
+  const std::uint64_t retries = state_->client ? state_->client->statistics().session.retries : 0;
+  const std::uint64_t before = std::exchange(retries_, retries);
+  if (retries > before) {
+    const std::uint64_t count = retries - before;
+    events.emplace_back("retried", count == 1 ? "a request without an answer was sent again"
+                                              : "requests without an answer were sent again, " +
+                                                    std::to_string(count) + " times");
+  }
+  return events;
 }
 
 }  // namespace sbgc::python

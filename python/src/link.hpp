@@ -105,7 +105,8 @@ class Link : public std::enable_shared_from_this<Link> {
   bool is_still() const;
   /// Does both, and waits in between, at most until then.
   void close(Instant until);
-  /// What has happened to the connection since the last call: a name and a sentence.
+  /// What has happened to the connection since the last call, retries included: a name and a
+  /// sentence.
   using Events = std::vector<std::pair<std::string, std::string>>;
   Events take_events();
   const std::shared_ptr<Bell>& bell() const { return state_->bell; }
@@ -141,6 +142,7 @@ class Link : public std::enable_shared_from_this<Link> {
 
   Process process_{};
   std::unique_ptr<State> state_;
+  std::uint64_t retries_ = 0;  // that take_events() has returned
 };
 
 }  // namespace sbgc::python

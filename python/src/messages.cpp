@@ -7,7 +7,6 @@
 #include <cmath>
 #include <map>
 #include <string>
-#include <unordered_map>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -86,48 +85,10 @@ py::object value_of(const Leaf& leaf, bool raw) {
   return to_text(leaf.text);
 }
 
-/// The leaves at paths, by their numbers in a message that had them: most messages of a type have
-/// their leaves in the same places, and to count is faster than to compare paths. Only for threads
-/// that hold the interpreter.
-std::size_t& number_at(const MessageType& type, std::string_view path) {
-  struct Hash : std::hash<std::string_view> {
-    using is_transparent = void;
-  };
-  using Numbers = std::unordered_map<std::string, std::size_t, Hash, std::equal_to<>>;
-  static std::unordered_map<const MessageType*, Numbers> of_types;
-  Numbers& numbers = of_types[&type];
-  const auto found = numbers.find(path);
-  return found != numbers.end() ? found->second : numbers[std::string(path)];
-}
-
 /// Returns the value at a path; None if there is none.
 py::object get(const AnyMessage& message, std::string_view path, bool raw) {
-  py::object result;
-  std::size_t& number = number_at(message.type(), path);
-  std::size_t at = 0;
-  message.for_each_leaf([&](const Leaf& leaf) {
-    if (at++ == number && is_at(&leaf.path, path)) result = value_of(leaf, raw);
-  });
-  if (result) return result;
-  at = 0;
-  message.for_each_leaf([&](const Leaf& leaf) {
-    if (is_at(&leaf.path, path)) {
-      number = at;
-      result = value_of(leaf, raw);
-    }
-    ++at;
-  });
-  return result ? result : py::none();
-}
-
-/// Returns the number of elements at a path that have values.
-std::size_t count(const AnyMessage& message, std::string_view path) {
-  std::size_t result = 0;
-  message.for_each_leaf([&](const Leaf& leaf) {
-    for (const FieldPath* step = &leaf.path; step != nullptr; step = step->parent) {
-      if (*step->name == '\0' && is_at(step->parent, path)) result = step->index + 1;
-    }
-  });
+  py::object result = py::none();
+  message.with_leaf(path, [&](const Leaf& leaf) { result = value_of(leaf, raw); });
   return result;
 }
 
@@ -146,19 +107,10 @@ void assign(AnyMessage& message, std::string_view path, std::string_view text, b
 /// Calls `use` with the leaf at a path, which is added if it is missing.
 template <class Use>
 void with_leaf(const AnyMessage& message, std::string_view path, const Use& use) {
-  const auto with = [&](const AnyMessage& one) {
-    bool is_found = false;
-    one.for_each_leaf([&](const Leaf& leaf) {
-      if (!is_at(&leaf.path, path)) return;
-      is_found = true;
-      use(leaf);
-    });
-    return is_found;
-  };
-  if (with(message)) return;
+  if (message.with_leaf(path, use)) return;
   AnyMessage extended = message;
   extended.add(path);
-  with(extended);
+  extended.with_leaf(path, use);
 }
 
 std::string announced_text(const Leaf& leaf, const std::string& number) {
@@ -251,8 +203,7 @@ std::vector<std::string> paths(const AnyMessage& message) {
 /// Returns the value at a path as people write it: the names of enum values and flags.
 py::object said(const AnyMessage& message, std::string_view path) {
   py::object result = py::none();
-  message.for_each_leaf([&](const Leaf& leaf) {
-    if (!is_at(&leaf.path, path)) return;
+  message.with_leaf(path, [&](const Leaf& leaf) {
     const bool is_named =
         leaf.names != nullptr &&
         (leaf.names->is_flags || std::ranges::any_of(leaf.names->values, [&](const ValueInfo& one) {
@@ -453,7 +404,7 @@ void bind_messages(py::module_& module) {
       .def("take", [](AnyMessage& m, const AnyMessage& other) { m = other; })
       .def("get", &get, py::arg("path"), py::arg("raw") = false)
       .def("has", &AnyMessage::has)
-      .def("count", &count)
+      .def("count", &AnyMessage::count)
       .def("add", &AnyMessage::add)
       .def("remove", &AnyMessage::remove)
       .def("assign", [](AnyMessage& message, const Text<"path">& path, const Text<"text">& text,

@@ -97,7 +97,10 @@ class Operation : public std::enable_shared_from_this<Operation> {
 
   void begin() {
     process_.require("the client");
-    if (const Begin begin = std::exchange(begin_, nullptr)) begin(shared_from_this());
+    const Begin begin = std::exchange(begin_, nullptr);
+    if (!begin) return;
+    has_begun_ = true;
+    begin(shared_from_this());
   }
   bool wait(double seconds) {
     process_.require("the client");
@@ -127,13 +130,15 @@ class Operation : public std::enable_shared_from_this<Operation> {
     return progress ? progress() : py::none();
   }
   /// True while there is something to wait for.
-  bool is_running() const { return !begin_ && !is_over() && !process_.is_forked(); }
+  bool is_running() const { return has_begun_ && !is_over() && !process_.is_forked(); }
 
  private:
   Process process_{};
   std::shared_ptr<Bell> bell_;
   VirtualTimePointer time_;
-  Begin begin_{};  // only for Python's threads
+  // Only for Python's threads.
+  Begin begin_{};
+  bool has_begun_ = false;
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   Result result_{};

@@ -19,7 +19,7 @@ import pytest
 
 import sbgc
 from conftest import is_still
-from sbgc import Board, Gimbal, GimbalDisconnected, GimbalError, _core, msg, search
+from sbgc import Board, Gimbal, GimbalDisconnected, GimbalError, GimbalTimeout, _core, msg, search
 
 
 def test_a_call_returns_the_response(gimbal: Gimbal) -> None:
@@ -71,6 +71,15 @@ def test_connections_are_logged(board: Board, caplog: pytest.LogCaptureFixture) 
         gimbal.wait_until_connected(timeout=20)
     text = caplog.text
     assert text.index("connected: memory link") < text.index("lost: ") < text.rindex("connected: ")
+
+
+def test_retries_are_logged(caplog: pytest.LogCaptureFixture) -> None:
+    caplog.set_level(logging.INFO, "sbgc")
+    with sbgc.emulator(lost=0.02, virtual_time=True) as board, sbgc.connect(board) as gimbal:
+        for _ in range(50):
+            with suppress(GimbalTimeout):
+                gimbal.call(msg.GetAnglesRequest())
+    assert "retried: a request without an answer was sent again" in caplog.text
 
 
 def test_move_to_arrives_and_reports_its_progress(board: Board, gimbal: Gimbal) -> None:

@@ -114,6 +114,49 @@ def test_ctrl_c_in_a_task_stops_the_camera_first(board: Board, kind: str) -> Non
             asyncio.run(main(Interrupter(step)))
 
 
+class Recorder:
+    """The link of a client, and the calibrations that it has made."""
+
+    def __init__(self, gimbal: Any) -> None:
+        self.link, self.made = gimbal._link, list[Any]()
+        gimbal._link = self
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self.link, name)
+
+    def calibrate(self, *arguments: Any) -> Any:
+        self.made.append(self.link.calibrate(*arguments))
+        return self.made[-1]
+
+
+def test_ctrl_c_at_each_step_ends_a_calibration(gimbal: Gimbal, gimbal_board: Board) -> None:
+    """The board goes on, because nothing stops it; the client waits for it no longer."""
+    recorder = Recorder(gimbal)
+    step = 1
+    while step < 200 and Interrupter(step).run(lambda: gimbal.calibrate(msg.CalibGyro())):
+        assert not any(operation.is_running() for operation in recorder.made), step
+        step += 1
+        gimbal_board.sleep(6)  # until the board can calibrate again
+    assert step > 30
+
+
+@pytest.mark.filterwarnings("ignore:coroutine .* was never awaited")
+def test_ctrl_c_in_a_task_ends_a_calibration(board: Board) -> None:
+    async def main(interrupter: Interrupter) -> None:
+        async with aio.connect(board) as gimbal:
+            recorder = Recorder(gimbal)
+            sys.settrace(interrupter.trace)
+            try:
+                await gimbal.calibrate(msg.CalibGyro(), timeout=0.05)
+            finally:
+                sys.settrace(None)
+                assert not any(operation.is_running() for operation in recorder.made), interrupter
+
+    for step in range(1, 80, 3):
+        with pytest.raises(KeyboardInterrupt):
+            asyncio.run(main(Interrupter(step)))
+
+
 KINDS = ["move_to", "begin_move", "turn", "hold"]
 ENDS = (sbgc.GimbalSuperseded, sbgc.GimbalInterrupted)
 

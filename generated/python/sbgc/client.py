@@ -8,7 +8,7 @@ from collections.abc import Iterator, Callable, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from typing import Any, Generic, Optional, TypeVar, Union
 
-from sbgc import _core
+from sbgc import _core, roles
 from sbgc.waiting import SpeedBlock, Waiting
 from sbgc.bode import BodeRecording, recording_of
 from sbgc.emulator import Angles, Board
@@ -31,15 +31,7 @@ from sbgc.link import (
     target_of,
 )
 from sbgc.message import Message, Request, of_library, wrap
-from sbgc.msg import (
-    BodeTestStartStopRequest,
-    CalibGyro,
-    GetAnglesRequest,
-    MotorsOff,
-    MotorsOn,
-    RealtimeData3Request,
-    ScriptMode,
-)
+from sbgc.msg import BodeTestStartStopRequest, ScriptMode
 from sbgc.parameters import Edit, Profile, profile_index
 
 M = TypeVar("M", bound=Message)
@@ -83,20 +75,19 @@ class Gimbal(Waiting):
 
     def angles(self, *, timeout: Optional[float] = None) -> Angles:
         """The angles of the camera in degrees, as its IMU measures them."""
-        axes = (self.call(GetAnglesRequest(), timeout=timeout)).axes
-        return Angles(*(axis.imu_angle for axis in axes))
+        return Angles(*roles.angles_of(self.call(roles.AnglesRequest(), timeout=timeout)))
 
     def motors_on(self, *, timeout: Optional[float] = None) -> None:
         """Turn the motors on. The camera may jump to its target."""
-        self.call(MotorsOn(), timeout=timeout)
+        self.call(roles.MotorsOn(), timeout=timeout)
 
     def motors_off(self, *, timeout: Optional[float] = None) -> None:
         """Turn the motors off. The camera may drop to its heavy side."""
-        self.call(MotorsOff(), timeout=timeout)
+        self.call(roles.MotorsOff(), timeout=timeout)
 
     def battery_voltage(self, *, timeout: Optional[float] = None) -> float:
         """The voltage of the battery in volts."""
-        return (self.call(RealtimeData3Request(), timeout=timeout)).bat_level
+        return roles.battery_voltage_of(self.call(roles.BatteryRequest(), timeout=timeout))
 
     def calibrate_gyro(
         self,
@@ -104,8 +95,8 @@ class Gimbal(Waiting):
         timeout: Optional[float] = None,
         progress: Optional[Callable[[Calibration], object]] = None,
     ) -> CalibrationEnd:
-        """Calibrate the gyroscope: calibrate(msg.CalibGyro()). The camera must not move."""
-        return self.calibrate(CalibGyro(), timeout=timeout, progress=progress)
+        """Calibrate the gyroscope, as calibrate() does. The camera must not move."""
+        return self.calibrate(roles.GyroCalibration(), timeout=timeout, progress=progress)
 
     def move_to(
         self,

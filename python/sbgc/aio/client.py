@@ -7,7 +7,7 @@ from collections.abc import AsyncIterator, Callable, Mapping, Sequence
 from contextlib import asynccontextmanager, suppress
 from typing import Any, Generic, Optional, TypeVar, Union
 
-from sbgc import _core
+from sbgc import _core, roles
 from sbgc.aio.waiting import SpeedBlock, Waiting
 from sbgc.bode import BodeRecording, recording_of
 from sbgc.emulator import Angles, Board
@@ -30,15 +30,7 @@ from sbgc.link import (
     target_of,
 )
 from sbgc.message import Message, Request, of_library, wrap
-from sbgc.msg import (
-    BodeTestStartStopRequest,
-    CalibGyro,
-    GetAnglesRequest,
-    MotorsOff,
-    MotorsOn,
-    RealtimeData3Request,
-    ScriptMode,
-)
+from sbgc.msg import BodeTestStartStopRequest, ScriptMode
 from sbgc.parameters import Edit, Profile, profile_index
 
 M = TypeVar("M", bound=Message)
@@ -82,20 +74,19 @@ class Gimbal(Waiting):
 
     async def angles(self, *, timeout: Optional[float] = None) -> Angles:
         """The angles of the camera in degrees, as its IMU measures them."""
-        axes = (await self.call(GetAnglesRequest(), timeout=timeout)).axes
-        return Angles(*(axis.imu_angle for axis in axes))
+        return Angles(*roles.angles_of(await self.call(roles.AnglesRequest(), timeout=timeout)))
 
     async def motors_on(self, *, timeout: Optional[float] = None) -> None:
         """Turn the motors on. The camera may jump to its target."""
-        await self.call(MotorsOn(), timeout=timeout)
+        await self.call(roles.MotorsOn(), timeout=timeout)
 
     async def motors_off(self, *, timeout: Optional[float] = None) -> None:
         """Turn the motors off. The camera may drop to its heavy side."""
-        await self.call(MotorsOff(), timeout=timeout)
+        await self.call(roles.MotorsOff(), timeout=timeout)
 
     async def battery_voltage(self, *, timeout: Optional[float] = None) -> float:
         """The voltage of the battery in volts."""
-        return (await self.call(RealtimeData3Request(), timeout=timeout)).bat_level
+        return roles.battery_voltage_of(await self.call(roles.BatteryRequest(), timeout=timeout))
 
     async def calibrate_gyro(
         self,
@@ -103,8 +94,8 @@ class Gimbal(Waiting):
         timeout: Optional[float] = None,
         progress: Optional[Callable[[Calibration], object]] = None,
     ) -> CalibrationEnd:
-        """Calibrate the gyroscope: calibrate(msg.CalibGyro()). The camera must not move."""
-        return await self.calibrate(CalibGyro(), timeout=timeout, progress=progress)
+        """Calibrate the gyroscope, as calibrate() does. The camera must not move."""
+        return await self.calibrate(roles.GyroCalibration(), timeout=timeout, progress=progress)
 
     async def move_to(
         self,

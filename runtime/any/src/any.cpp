@@ -9,6 +9,7 @@
 #include <sbgc/to_json.hpp>
 
 #include "equal_values.hpp"
+#include "leaf_finder.hpp"
 
 namespace sbgc {
 
@@ -90,6 +91,16 @@ WriteResult AnyMessage::encode(std::span<std::uint8_t> out) const noexcept {
       status.code == Code::too_long && size > type_->info->max_size && status.offset == at;
   if (!is_surplus) return {0, {Code::presence_mismatch, at, tail_field.name}};
   return {size, {}};
+}
+
+bool AnyMessage::find_leaf(std::string_view path, const Availability& versions,
+                           detail::LeafWalk::Use use, void* user) const {
+  return detail::LeafFinder(path, use, user, versions).find(table(), memory_.get());
+}
+
+std::size_t AnyMessage::count(std::string_view path) const {
+  detail::LeafFinder finder(path, nullptr, nullptr, {});
+  return finder.count(table(), memory_.get());
 }
 
 bool AnyMessage::validate(const Availability& versions, detail::Violations::Report report,

@@ -9,10 +9,11 @@
 #include <variant>
 #include <vector>
 
-#include <sbgc/internal/parse_number.hpp>
 #include <sbgc/internal/table_access.hpp>
 #include <sbgc/meta.hpp>
 #include <sbgc/value_text.hpp>
+
+#include "path_steps.hpp"
 
 namespace sbgc::detail {
 
@@ -24,7 +25,7 @@ class FieldSetter {
   enum class End : std::uint8_t { set, remove, find };
 
   FieldSetter(std::string_view path, const AnyValue* value, End end = End::set)
-      : rest_(path), value_(value), end_(end) {}
+      : steps_(path), value_(value), end_(end) {}
 
   /// Returns true if the message has the field, and the field takes the value.
   bool set(const StructTable& table, void* message) {
@@ -35,7 +36,7 @@ class FieldSetter {
  private:
   void members(const StructTable& table, void* object) {
     if (is_found()) return;
-    const std::string_view name = take_name();
+    const std::string_view name = steps_.take_name();
     const FieldInfo* field = table.fields;
     for (const Slot& slot : table.slots) {
       if (name == (field++)->name) return value(*slot.type, moved(object, slot.offset));
@@ -79,7 +80,7 @@ class FieldSetter {
     std::copy(value->begin(), value->end(), begin);
   }
   void list(const ValueType& type, void* at) {
-    if (rest_.empty()) {
+    if (steps_.is_end()) {
       if (end_ == End::remove) {
         is_done_ = resize(type, at, 0);
       } else if (const auto* const size = taken<std::int64_t>()) {
@@ -87,18 +88,18 @@ class FieldSetter {
       }
       return;
     }
-    const std::size_t index = take_index();
+    const std::size_t index = steps_.take_index();
     if (index >= type.count) return;
     if (index >= size_at(type, at) && (end_ == End::find || !resize(type, at, index + 1))) return;
     value(*type.element, element_at(type, at, index));
   }
   void array(const ValueType& type, void* at) {
     if (is_found()) return;
-    const std::size_t index = take_index();
+    const std::size_t index = steps_.take_index();
     if (index < type.count) value(*type.element, element_at(type, at, index));
   }
   void optional(const ValueType& type, void* at) {
-    if (rest_.empty() && end_ == End::remove) {
+    if (steps_.is_end() && end_ == End::remove) {
       set_present(type, at, false);
       is_done_ = true;
       return;
@@ -110,37 +111,19 @@ class FieldSetter {
 
   /// True if the path ends here, and nothing else is asked.
   bool is_found() {
-    is_done_ = is_done_ || (rest_.empty() && end_ == End::find);
+    is_done_ = is_done_ || (steps_.is_end() && end_ == End::find);
     return is_done_;
   }
 
   /// Returns the value if the path ends here, and it is a V.
   template <class V>
   const V* taken() {
-    if (!rest_.empty() || end_ == End::remove) return nullptr;
+    if (!steps_.is_end() || end_ == End::remove) return nullptr;
     is_done_ = value_ == nullptr || std::holds_alternative<V>(*value_);
     return value_ != nullptr && is_done_ ? &std::get<V>(*value_) : nullptr;
   }
 
-  std::string_view take_name() {
-    if (rest_.starts_with('.')) rest_.remove_prefix(1);
-    const std::string_view name =
-        rest_.substr(0, std::min(rest_.find_first_of(".["), rest_.size()));
-    rest_.remove_prefix(name.size());
-    return name;
-  }
-
-  /// Returns the index at the beginning of the rest; a huge one if there is none.
-  std::size_t take_index() {
-    const std::size_t close = rest_.find(']');
-    if (!rest_.starts_with('[') || close == std::string_view::npos) return ~std::size_t{0};
-    const auto index = parse_number<std::size_t>(rest_.substr(1, close - 1));
-    if (!index) return ~std::size_t{0};
-    rest_.remove_prefix(close + 1);
-    return *index;
-  }
-
-  std::string_view rest_;
+  PathSteps steps_;
   const AnyValue* value_;
   End end_;
   bool is_done_ = false;

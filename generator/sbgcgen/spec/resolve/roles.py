@@ -33,7 +33,13 @@ _PARTS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
     "introduction": (("firmware", "board"), ()),
     "details": ((), ("serial_number", "eeprom_size")),
     "stream_request": (("command", "interval", "config"), ()),
+    "angles": (("angle",), ()),
+    "battery": (("voltage",), ()),
+    "motors_on": ((), ()),
+    "motors_off": ((), ()),
+    "gyro_calibration": ((), ()),
 }
+_TO_BOARD = ("stream_request", "motors_on", "motors_off", "gyro_calibration")
 _WORDS = {
     "reset": ("delay_ms",),
     "stream_request": ("end", "cycle", "cycle_us", "limit", "messages"),
@@ -56,7 +62,7 @@ class RoleResolver:
         if not isinstance(node, Map):
             return None
         kind = str(node["is"])
-        if (kind == "stream_request") != (direction == "to_board"):
+        if (kind in _TO_BOARD) != (direction == "to_board"):
             message = f"a message {'to' if direction == 'to_board' else 'from'} the board is not a valid {kind}"
             self.found.add(node.at("is"), "SBGC037", message, "move it to the other direction")
             return None
@@ -83,6 +89,13 @@ class RoleResolver:
         return self._stream_role(node, role) if kind == "stream_request" else role
 
     def _part(self, node: Map, part: str, fields: tuple[Field, ...]) -> Field | None:
+        if part == "angle":  # of each axis
+            fields = tuple(
+                member
+                for field in fields
+                if field.dim == "axis" and isinstance(field.type, Struct)
+                for member in field.type.fields
+            )
         by_name = {field.spec_name: field for field in fields}
         wanted = str(node[part])
         field = by_name.get(wanted)

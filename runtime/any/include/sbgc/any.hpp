@@ -131,18 +131,12 @@ class AnyMessage {
     return validate(versions, detail::call_report<std::remove_reference_t<Report>>, user);
   }
 
-  /// Calls `use(const Leaf&)` for the value at a path, such as "params[3].param_id". Returns false
-  /// if the message has none.
+  /// Calls `use(const Leaf&)` for the value at a path, such as "params[3].param_id", without its
+  /// offset. Returns false if the message has none.
   template <class Use>
   bool with_leaf(std::string_view path, Use&& use, const Availability& versions = {}) const {
-    bool is_found = false;
-    auto use_it = [&](const Leaf& leaf) {
-      if (is_found || sbgc::to_string(leaf.path) != path) return;
-      is_found = true;
-      use(leaf);
-    };
-    for_each_leaf(use_it, versions);
-    return is_found;
+    auto* const user = const_cast<std::remove_cvref_t<Use>*>(&use);
+    return find_leaf(path, versions, detail::call_user<std::remove_reference_t<Use>>, user);
   }
   /// Sets the field at a path to a value as people write it: "-30deg", "MODE_ANGLE", "raw:-1365";
   /// see <sbgc/value_text.hpp>. Axes and lists take elements with commas between them, axes also
@@ -159,6 +153,9 @@ class AnyMessage {
 
   /// True if the message has the field, or the element of a list, at a path.
   bool has(std::string_view path) const;
+
+  /// Returns the number of elements of the list at a path; 0 if the message has none.
+  std::size_t count(std::string_view path) const;
 
   /// Adds the field at a path, or the elements of a list, if they are missing. Returns false if the
   /// message has no such field.
@@ -197,6 +194,8 @@ class AnyMessage {
   const detail::StructTable& table() const noexcept { return *type_->operations->table; }
   bool validate(const Availability& versions, detail::Violations::Report report, void* user) const;
   bool set(std::string_view path, const AnyValue* value);
+  bool find_leaf(std::string_view path, const Availability& versions, detail::LeafWalk::Use use,
+                 void* user) const;
   std::string assign(const FieldType& type, const std::string& path, std::string_view text,
                      const Availability& versions);
 

@@ -39,7 +39,7 @@ struct Leaf {
   /// Set if the firmware is not known: the meaning is that before this one.
   const LaterMeaning* assumed_before{};
   // The position in the body.
-  std::size_t offset{};
+  std::size_t offset{};  ///< 0 if only this value is looked for
   std::size_t size{};
   Secrets secrets{};  ///< whether the texts below show the value if it is secret
 
@@ -226,7 +226,7 @@ class LeafWalk {
     value(tail_field, *table.tail.type, tail, FieldPath{parent, tail_field.name});
   }
 
- private:
+ protected:
   SBGC_ALWAYS_INLINE void value(const FieldInfo& field, const ValueType& type, const void* at,
                                 const FieldPath& path) {
     // Most values are numbers, which should not pay for the rest.
