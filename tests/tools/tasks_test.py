@@ -8,7 +8,7 @@ from pathlib import Path
 from emulated_gimbal import emulated_gimbal
 from sbgc_command import run
 
-GUIDE = Path(__file__).resolve().parents[2] / "docs/12-command.md"
+GUIDE = Path(__file__).resolve().parents[2] / "docs/26-how-do-i.md"
 TASKS = re.findall(
     r"^\| `sbgc ([^`]+ [^`]+|\w+)` \| (`\w+`(?:, `\w+`)*) \|$", GUIDE.read_text(), re.M
 )
