@@ -120,25 +120,21 @@ int run_gateway(const GatewayOptions& options) {
 
 void add_gateway(CLI::App& app, CommandContext& context) {
   const Subcommand<GatewayOptions> command(
-      app, context, "gateway", "Put many gimbals onto a message broker and into Prometheus");
+      app, context, "gateway", "Connect many gimbals to a message broker and Prometheus");
   auto& options = command.options();
   command->add_option("--config", options.config, "The fleet, in TOML")->type_name("FILE");
   command->add_flag("--check", options.only_checks,
-                    "Only read the file and those that it names, and say what is wrong");
-  command->add_flag("--schema", options.shows_schema,
-                    "Print the JSON Schema of what the broker carries");
+                    "Only check the file and the files that it names");
+  command->add_flag("--schema", options.shows_schema, "Print the JSON Schema of all payloads");
   command->footer(
-      "Connects to the gimbals that the file names, and connects again as long as it runs. "
-      "Without [broker] there are only metrics, without [metrics] only the broker. Ctrl-C, or "
-      "another signal, ends it: it first stops what commands have set in motion, for which it "
-      "tries "
-      "for at most 8 seconds, whatever signals come; a second Ctrl-C, half a second after the "
-      "first "
-      "or later, ends it at once. docs/21-many-gimbals.md has the details.\n"
+      "It connects to the gimbals that the file names, and reconnects lost lines. [broker] and "
+      "[metrics] are both optional. Ctrl-C or another signal ends it, but it first stops gimbals "
+      "that commands have set in motion, for at most 8 seconds; a second Ctrl-C, at least half a "
+      "second later, ends it at once. docs/21-many-gimbals.md has the details.\n"
       "\n"
-      "The exit status is 0 if a signal ended it, 1 if the file is wrong, it could not begin, the "
-      "broker's half has failed or a gimbal may still turn, 2 for wrong usage or if another "
-      "gateway serves the fleet.");
+      "The exit status is 0 if a signal ended it, 1 if the file is wrong, it could not start, "
+      "the connection to the broker has failed or a gimbal may still turn, 2 for wrong usage or "
+      "if another gateway serves the fleet.");
   command.examples({"sbgc gateway --config fleet.toml --check", "sbgc gateway --schema"});
   command.runs(run_gateway);
 }

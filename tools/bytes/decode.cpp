@@ -575,16 +575,15 @@ void add_decode(CLI::App& app, CommandContext& context) {
   auto& options = command.options();
   command
       ->add_option("file", options.input,
-                   "Capture to read; - or nothing means standard input. Or the bytes themselves, "
-                   "as text")
+                   "Capture to read, or the bytes themselves as text; - or nothing is standard "
+                   "input")
       ->type_name("FILE");
   command
       ->add_option("--from", options.from,
                    "Sender of the bytes: board, host, or auto, which decides by the size of each "
-                   "frame, and calls it a guess if that is not clear. A capture file records the "
-                   "sender; then this "
-                   "selects the frames to show. Or a time, in seconds since the start of the "
-                   "capture, from which to show frames; both may be given")
+                   "frame and marks a guess. In a capture, which records the sender, this "
+                   "selects frames. Or a time in seconds since the start of the capture: show "
+                   "frames from then on. You may give both")
       ->type_name("auto|board|host|TIME")
       ->allow_extra_args(false)
       ->check([](const std::string& text) -> std::string {
@@ -598,7 +597,7 @@ void add_decode(CLI::App& app, CommandContext& context) {
             options.to = parse_time(text);
             if (!options.to) throw CLI::ValidationError("--to", "'" + text + "' is not a time");
           },
-          "A time, in seconds since the start of the capture, up to which to show frames")
+          "Show frames up to this time, in seconds since the start of the capture")
       ->type_name("TIME");
   command
       ->add_option("-m,--message", options.messages,
@@ -607,43 +606,38 @@ void add_decode(CLI::App& app, CommandContext& context) {
       ->allow_extra_args(false);
   command
       ->add_option("-w,--where", options.conditions,
-                   "Show only frames whose field holds such a value, as in the examples; may be "
+                   "Show only frames that satisfy this condition, as in the examples; may be "
                    "repeated")
       ->type_name("CONDITION")
       ->allow_extra_args(false);
   add_format(
       *command, options.format, {"text", "jsonl", "csv", "pcapng"},
-      "Output format; csv for one kind of message, pcapng for Wireshark. Bytes, which do not "
-      "have senders, need --from for it");
-  command->add_flag("--real", options.real,
-                    "Add the values in their units, and their names, to JSON lines");
+      "Output format: csv for one kind of message, pcapng for Wireshark, which needs --from for "
+      "raw bytes");
+  command->add_flag("--real", options.real, "Add values in their units, and names, to JSON lines");
   command->add_flag("--show-passwords", options.shows_passwords,
-                    "Show passwords, which are (hidden) otherwise");
+                    "Show passwords instead of (hidden)");
   command
       ->add_option("--firmware", options.firmware,
-                   "Firmware of the board, such as 2.59: name what it does not know")
+                   "Firmware of the board, such as 2.59: report what it does not have")
       ->type_name("VERSION")
       ->check(firmware_problem);
   auto* const hex = command->add_flag(
       "--hex", options.hex,
-      "Read text, such as hex, a hex dump or a list of numbers, which is also recognized without "
-      "this option");
+      "Read text, such as hex, a hex dump or a list of numbers; usually detected");
   command->add_flag("--raw", options.raw, "Read raw bytes, whatever they look like")->excludes(hex);
   command->footer(
       "In JSON, integers are raw values, bytes are hex strings, and infinite or NaN floats are "
       "the strings \"inf\", \"-inf\" and \"nan:<bits>\". A field 'tail' holds bytes that later "
       "firmware appends, that the board ignores in a request, or that cannot be decoded because "
-      "the "
-      "request was not captured.\n"
-      "The input is raw bytes or a capture file written by `sbgc record`. For the latter, JSON "
-      "lines have two more keys: 'time' in seconds since the start of the session, and "
-      "'session', counted from 0. Offsets count the bytes of one direction and session.\n"
-      "Text output explains gaps between frames that look like damaged frames, unless frames are "
-      "selected. With --real, JSON lines have 'values' by path: 'raw', 'real' with 'unit', and "
-      "'text' of a value with a name. CSV has a line per frame and a column per value, in its "
-      "unit; "
-      "the first column is the time since the start of the capture, or the offset "
-      "of raw bytes.\n"
+      "the request was not captured.\n"
+      "The input is raw bytes or a capture file of `sbgc record`. For a capture, JSON lines have "
+      "two more keys: 'time' in seconds since the start of the session, and 'session', counted "
+      "from 0. Offsets count the bytes of one direction and session.\n"
+      "Text output also explains damaged frames, unless options select frames. With --real, JSON "
+      "lines have 'values' by path: 'raw', 'real' with 'unit', and 'text' of a value with a "
+      "name. CSV has a line per frame and a column per value in its unit; the first column is "
+      "the time since the start of the capture, or the offset in raw bytes.\n"
       "\n"
       "Examples:\n"
       "  sbgc decode 3e49004900\n"
@@ -653,8 +647,7 @@ void add_decode(CLI::App& app, CommandContext& context) {
       "\n"
       "The exit status is 0 if all input was read and contained a frame, or was empty; 1 if it "
       "could not be read, contained none, or, except in JSON lines, none that can be decoded; 2 "
-      "for "
-      "wrong usage.");
+      "for wrong usage.");
   command.runs(decode_file);
 }
 

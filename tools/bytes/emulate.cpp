@@ -175,8 +175,7 @@ void add_board_options(CLI::App& command, EmulateOptions& options) {
   emulator::BoardOptions& board = service.emulator.board;
   command
       .add_option("--password-file", options.password_file,
-                  "File of mode 0600 with a password that the ports want before anything else; - "
-                  "asks for it")
+                  "File of mode 0600 with a password that hosts must send first; - asks for it")
       ->type_name("FILE")
       ->group("The board");
   add_parsed(
@@ -214,7 +213,7 @@ void add_board_options(CLI::App& command, EmulateOptions& options) {
       ->group("The board");
   command
       .add_flag("--strict", board.is_strict,
-                "Refuse requests with more bytes than the firmware knows, which real boards ignore")
+                "Refuse requests with surplus bytes, which real boards ignore")
       ->group("The board");
   add_parsed(
       command, "--motion", serving::parse_motion,
@@ -233,8 +232,7 @@ void add_board_options(CLI::App& command, EmulateOptions& options) {
               throw CLI::ValidationError("--fault", error.what());
             }
           },
-          "What is wrong with the gimbal, which `sbgc doctor` finds; several are joined by "
-          "commas: " +
+          "Faults of the gimbal, which `sbgc doctor` finds; separate several with commas: " +
               serving::fault_names())
       ->type_name("FAULT[,FAULT]")
       ->group("The board");
@@ -246,8 +244,8 @@ void add_board_options(CLI::App& command, EmulateOptions& options) {
   command
       .add_option(
           "--state", service.state,
-          "File for the nonvolatile memory of the board: loaded if it exists; the board confirms a "
-          "change once it is saved; with --count: FILE-1, FILE-2 ...")
+          "File for the non-volatile memory of the board; the board confirms a change once it is "
+          "saved; with --count: FILE-1, FILE-2 ...")
       ->type_name("FILE")
       ->check(problem_of_path)
       ->group("The board");
@@ -258,7 +256,7 @@ void add_board_options(CLI::App& command, EmulateOptions& options) {
       ->group("The board");
   command
       .add_option("--seed", options.seed,
-                  "Seed of all random numbers: the same seed gives the same noise")
+                  "Seed of the random numbers; the same seed gives the same noise")
       ->type_name("NUMBER")
       ->capture_default_str()
       ->group("The board");
@@ -286,8 +284,8 @@ void add_endpoint_options(CLI::App& command, EmulateOptions& options) {
              "Listen on this TCP port, 0 for any free one; on localhost unless HOST is another "
              "address of this machine; with --count: on this port and the following ones");
   add_listen("--udp", service.udp,
-             "Listen on this UDP port. Each sender is a host; if all places are in use, a new host "
-             "replaces the one silent longest. A board has 8 places; TCP and UDP get half each");
+             "Listen on this UDP port. Each sender is a host; if all places are taken, a new "
+             "host replaces a silent one. A board has 8 places; TCP and UDP get half each");
   command
       .add_flag("--stdio", service.stdio,
                 "Standard input and output; messages go to standard error")
@@ -333,7 +331,7 @@ void add_line_options(CLI::App& command, EmulateOptions& options) {
         faults.delayed = delay.share;
         faults.delay = delay.delay;
       },
-      "Share of bytes that are delayed, by 20 ms or this time; later bytes wait", "SHARE[:MS]");
+      "Share of bytes that arrive 20 ms late, or by this time; later bytes wait", "SHARE[:MS]");
   add(
       "--text", serving::parse_interval, [&](Duration every) { faults.text_every = every; },
       "Interval of text lines between frames of the board", "SECONDS");
@@ -374,14 +372,14 @@ void add_emulate(CLI::App& app, CommandContext& context) {
   add_board_options(*command, options);
   add_line_options(*command, options);
   command->add_flag("-v,--verbose", options.verbose,
-                    "Print each frame, and hosts that connect and leave");
+                    "Print each frame, and report hosts that connect and disconnect");
   add_parsed(
       *command, "--seconds", serving::parse_seconds,
       [&options](Duration time) { options.seconds = time; }, "The former name of --for", "SECONDS");
   command->get_option("--seconds")->group("");
   add_duration(*command, "--for", options.time, "Stop after this time; otherwise with Ctrl-C");
   command->footer(
-      "A SHARE is 0.01 or 1%. First, a line for each endpoint is printed:\n"
+      "A SHARE is 0.01 or 1%. The command first prints a line for each endpoint:\n"
       "  emulated gimbal 1: /dev/pts/7 (also /tmp/gimbal)\n"
       "\n"
       "Examples:\n"

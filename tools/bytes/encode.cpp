@@ -61,22 +61,21 @@ void add_encode(CLI::App& app, CommandContext& context) {
   auto& options = command.options();
   command
       ->add_option("file", options.file,
-                   "JSON lines as printed by `sbgc decode --format jsonl`; - means standard "
-                   "input. 'message' and 'fields' are required; 'message' may be the name of a "
-                   "command, such as CMD_MOTORS_ON")
+                   "JSON lines as `sbgc decode --format jsonl` prints them; - is standard input. "
+                   "'message' and 'fields' are required; 'message' may be the name of a command, "
+                   "such as CMD_MOTORS_ON")
       ->capture_default_str();
   command->add_flag("--hex", options.hex, "Print each frame as a line of hex instead of raw bytes");
   command->add_flag("--no-validate", options.rules.no_validate,
                     "Also encode values that the specification does not allow");
-  command->add_flag(
-      "--defaults", options.rules.defaults,
-      "Fill in fields that a line leaves out: 0, empty, or the default of the specification");
+  command->add_flag("--defaults", options.rules.defaults,
+                    "Fill in omitted fields: 0, empty, or the default of the specification");
   command->footer(
       "Numbers are those on the wire. Enums, flags and packed values may be names instead: "
       "\"MODE_ANGLE\", \"FLAG_A|FLAG_B\", [\"FLAG_A\", \"FLAG_B\"].\n"
-      "A line may have up to 16 MiB and 64 nested levels, and no duplicate keys. A line that "
-      "cannot be encoded or is invalid is reported and skipped; the exit status is then 1. It is "
-      "2 for wrong usage.");
+      "A line may have up to 16 MiB and 64 levels of nesting, and no duplicate keys. The command "
+      "reports and skips a line that it cannot encode; the exit status is then 1. It is 2 for "
+      "wrong usage.");
   command.examples(
       {"sbgc encode --hex frames.jsonl", "sbgc encode --defaults < frames.jsonl > frames.bin"});
   command.runs(encode_file);

@@ -314,24 +314,23 @@ void add_record(CLI::App& app, CommandContext& context) {
   auto& options = command.options();
   command
       ->add_option("places", options.places,
-                   "The capture; an existing file gets a new session, - means standard output. "
-                   "Before it, an address: then the line is only listened to, unless --stream is "
-                   "given; also pty: and capture:FILE")
+                   "The capture; an existing file gets a new session, - is standard output. With "
+                   "an address before it, which may also be pty: or capture:FILE, the command "
+                   "only listens, unless --stream is given")
       ->required()
       ->expected(1, 2)
       ->type_name("[ADDRESS] FILE");
   command
       ->add_option(
           "--stream", options.streams,
-          "Ask the board for this data stream, with the flags that choose its contents; of "
-          "one that is not known here, its number, with its configuration in hex; may be "
-          "repeated")
+          "Request this data stream, with the flags that select its contents; an unknown one by "
+          "its number, with its configuration in hex; may be repeated")
       ->take_all()
       ->allow_extra_args(false)
       ->type_name("NAME[:WITH]");
   command
       ->add_option("--rate", options.rates,
-                   "Messages of a stream per second (50): one for each --stream, or one for all")
+                   "Messages per second (50): one rate for each --stream, or one for all")
       ->take_all()
       ->allow_extra_args(false)
       ->type_name("HZ")
@@ -342,11 +341,11 @@ void add_record(CLI::App& app, CommandContext& context) {
       ->check(number_range(0.0, 1e9))
       ->group("");
   command->footer(
-      "With --port, --gimbal or --stream, the command connects to the board; if the line is lost, "
-      "it connects again, and the capture gets a new session. With an address only, it sends "
-      "nothing, and ends with the line. `sbgc decode` shows a capture, and `sbgc replay` or "
+      "With --port, --gimbal or --stream, the command connects to the board; if the line is "
+      "lost, it reconnects, and the capture gets a new session. With only an address, it sends "
+      "nothing, and ends when the line ends. `sbgc decode` shows a capture, and `sbgc replay` or "
       "capture:FILE replays it; `sbgc record ADDRESS - | sbgc decode` shows the frames live. The "
-      "exit status is 0 if everything was recorded, 1 if not, 2 for wrong usage.\n"
+      "exit status is 0 if the recording is complete, 1 if not, 2 for wrong usage.\n"
       "\n"
       "Examples:\n"
       "  sbgc record --stream RealtimeData4 --rate 20 --for 1s capture\n"

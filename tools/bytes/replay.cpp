@@ -65,15 +65,15 @@ void add_replay(CLI::App& app, CommandContext& context) {
   command->add_option("file", options.file, "A capture, or the raw bytes of a board")
       ->type_name("FILE")
       ->required();
-  command->add_option("--speed", options.speed, "How many times as fast as recorded")
+  command->add_option("--speed", options.speed, "Speed relative to the recording")
       ->check(number_range(0.001, 1000.0))
       ->capture_default_str();
   add_places(*command, options.places);
   command->footer(
-      "Programs that connect get what the board sent, at the recorded times since the first one "
-      "connected; what they send is ignored. Without a place, a pseudo-terminal is opened. For "
-      "sbgc itself, the address capture:FILE does the same. The exit status is 0 after the end of "
-      "the capture or Ctrl-C, 1 if the file or a place cannot be opened, 2 for wrong usage.");
+      "Programs that connect get the bytes of the board at the recorded times, counted from the "
+      "first connection; their own bytes are ignored. By default it opens a pseudo-terminal. For "
+      "sbgc itself, the address capture:FILE does the same. The exit status is 0 after the end "
+      "of the capture or Ctrl-C, 1 if the file or a place cannot be opened, 2 for wrong usage.");
   command.examples({"sbgc replay capture --tcp 5000"});
   command.runs([](ReplayOptions& chosen) {
     if (chosen.places.empty()) chosen.places.terminal = true;

@@ -359,39 +359,39 @@ void add_send(CLI::App& app, CommandContext& context) {
   auto& options = command.options();
   command
       ->add_option("name", options.name,
-                   "The message: our name (GetAnglesRequest) or that of the command "
-                   "(CMD_GET_ANGLES, get_angles). Of several forms, the first that has the fields")
+                   "Name of the message (GetAnglesRequest) or of its command (CMD_GET_ANGLES, "
+                   "get_angles). If a command has several forms, the first with these fields")
       ->type_name("MESSAGE");
   command->add_option("values", options.values, "Values of fields; others are 0 or empty")
       ->type_name("FIELD=VALUE");
   auto* const id = command->add_option("--id", options.id,
-                                       "Send the bytes of --body as this command, also one that "
-                                       "is not known here, instead of a message");
+                                       "Send the bytes of --body as this command, which may be "
+                                       "unknown, instead of a message");
   id->type_name("NUMBER")->check(CLI::Range(1, 255));
   command->add_option("--body", options.body, "The body of --id; without it, the body is empty")
       ->type_name("HEX")
       ->needs(id);
-  add_format(*command, options.format, {"text", "jsonl"}, "Output format, as of `sbgc decode`");
-  auto* const dry_run =
-      command->add_flag("--dry-run", options.dry_run,
-                        "Print the frame and what it does; send nothing and open no line");
+  add_format(*command, options.format, {"text", "jsonl"}, "Output format, as in `sbgc decode`");
+  auto* const dry_run = command->add_flag("--dry-run", options.dry_run,
+                                          "Print the frame and its effect; send nothing");
   command
       ->add_option("--firmware", options.firmware,
-                   "For --dry-run: firmware of the board, which changed the scale of some values")
+                   "For --dry-run: firmware of the board, because some values have another scale "
+                   "in later firmware")
       ->type_name("VERSION")
       ->check(firmware_problem)
       ->needs(dry_run);
   command->add_flag("--no-way-back", options.no_way_back,
-                    "Also send what makes the line useless, with no known way to end that");
+                    "Also send requests that make the line useless, with no known way back");
   command->add_flag("--no-validate", options.no_validate,
                     "Also send values that the specification does not allow");
   command->footer(
-      "A field is named by its path, by the end of it (pitch.angle), or as in the specification "
-      "(ANGLE_PITCH); without an axis, all axes are meant. A number is in the unit of the field, "
-      "which may be written after it; raw:NUMBER is the number on the wire. Enums and flags take "
-      "names, with | between flags. Bytes are hex. Lists take values with commas between them, or "
-      "one by one. Passwords are read from a file of mode 0600, FIELD=@FILE, or asked for, "
-      "FIELD=@-.\n"
+      "You can name a field by its path, by the end of the path (pitch.angle), or as in the "
+      "specification (ANGLE_PITCH); a name without an axis means all axes. Numbers have the unit "
+      "of the field, with or without its name; raw:NUMBER is the number on the wire. Enums and "
+      "flags take names, with | between flags. Bytes are hex. Separate the values of a list with "
+      "commas, or set them one by one. FIELD=@FILE reads a password from a file of mode 0600, "
+      "and FIELD=@- asks for it.\n"
       "\n"
       "Examples:\n"
       "  sbgc send get_angles\n"
@@ -400,8 +400,8 @@ void add_send(CLI::App& app, CommandContext& context) {
       "params[0].param_value=30Hz\n"
       "  sbgc send --id 200 --body 0e45 --dry-run\n"
       "\n"
-      "The exit status is 0 if the board answered as specified, 1 if not or if the request was not "
-      "confirmed, 2 for wrong usage.");
+      "The exit status is 0 if the board answered as specified, 1 if not or if the request was "
+      "not confirmed, 2 for wrong usage.");
   command.runs(send);
 }
 

@@ -243,16 +243,13 @@ void add_calibrate(CLI::App& app, CommandContext& context) {
   auto& options = command.options();
   command->add_option("what", options.name, "What to calibrate, such as gyro")
       ->type_name("CALIBRATION");
-  command->add_option("values", options.values, "Fields of the request, as for `sbgc send`")
+  command->add_option("values", options.values, "Fields of the request, as in `sbgc send`")
       ->type_name("FIELD=VALUE");
   command->add_flag("--list", options.list, "List what can be calibrated");
-  command->add_flag("--status", options.status, "Show what is calibrated, and change nothing");
-  command->add_flag(
-      "--motors-off", options.motors_off,
-      "Turn the motors off first if the calibration needs it; the camera drops to its "
-      "heavy side");
-  command->add_flag("--no-check", options.no_check,
-                    "Do not check whether the gimbal is as the calibration expects it");
+  command->add_flag("--status", options.status, "Show what is calibrated; change nothing");
+  command->add_flag("--motors-off", options.motors_off,
+                    "Turn the motors off first if necessary; the camera drops to its heavy side");
+  command->add_flag("--no-check", options.no_check, "Skip the checks of the gimbal");
   command->add_option("--imu", options.imu, "For gyro, acc and mag: the sensor to calibrate")
       ->type_name("active|main|frame");
   command->add_flag("--temperature", options.temperature,
@@ -261,13 +258,12 @@ void add_calibrate(CLI::App& app, CommandContext& context) {
       ->add_option("--voltage", options.voltage, "For battery: its measured voltage, such as 12.6V")
       ->type_name("VOLTAGE");
   command->footer(
-      "Says first how to hold the camera, and checks what the board can tell: motors off, camera "
-      "still, a side of the accelerometer upwards, a balanced camera and motors with power before "
-      "they turn it, a voltage near the measured one. It offers to turn the motors off; otherwise, "
-      "nothing is calibrated. After `acc`, it says which of the six positions are done, and goes "
-      "on "
-      "with another one. A calibration replaces the stored one. No command stops it: after Ctrl-C, "
-      "and if the line is lost, the board goes on.\n"
+      "It first says how to hold the camera, and checks what the board can tell: motors off, "
+      "camera still, one side of the accelerometer up, a balanced camera, motors with power, a "
+      "voltage near the measured one. It offers to turn the motors off. After `acc`, it says "
+      "which of the six positions are done, and continues with another one. A calibration "
+      "replaces the stored one. No command stops it: after Ctrl-C, or if the line is lost, the "
+      "board continues.\n"
       "\n"
       "Examples:\n"
       "  sbgc calibrate --status\n"
@@ -276,8 +272,8 @@ void add_calibrate(CLI::App& app, CommandContext& context) {
       "  sbgc calibrate battery --voltage 12.6V\n"
       "\n"
       "The exit status is 0 if the calibration is done, or accepted by a board that does not "
-      "report the end; 1 if not; 2 for wrong usage; 3 if it was sent but not confirmed; 130 after "
-      "Ctrl-C.");
+      "report the end; 1 if not; 2 for wrong usage; 3 if it was sent but not confirmed; 130 "
+      "after Ctrl-C.");
   command.runs(calibrate);
 }
 

@@ -353,30 +353,26 @@ int examine(const DoctorOptions& options, const CommandContext& context) {
 
 void add_doctor(CLI::App& app, CommandContext& context) {
   const Subcommand<DoctorOptions> command(app, context, "doctor",
-                                          "Measure for some seconds and say what is wrong");
+                                          "Measure for some seconds, and report what is wrong");
   auto& options = command.options();
   add_duration(*command, "--for", options.time, "Measure for this time; 5 s without it");
-  command->add_flag("--thresholds", options.thresholds,
-                    "List the limits beyond which a measurement is a finding");
+  command->add_flag("--thresholds", options.thresholds, "List the limits of all measurements");
   add_format(*command, options.format);
   command->footer(
-      "It moves nothing and changes nothing: leave the camera as it is used, with its motors on, "
-      "and "
-      "do not touch it. "
-      "Vibration is the root mean square of the gyroscope, from 1 Hz to 45 % of the rate at which "
-      "it was sampled: "
-      "with a data stream, or, where the firmware has none or another host uses it, with requests. "
-      "A higher frequency looks like a lower one, its alias; so the time has two halves, with two "
-      "rates, and what remains uncertain is said. "
-      "Lost samples are interpolated up to 1 %; with more, there is no spectrum.\n"
+      "It moves and changes nothing. Leave the camera as you use it, with its motors on, and do "
+      "not touch it. Vibration is the root mean square of the gyroscope, from 1 Hz to 45 % of "
+      "the sample rate. It samples with a data stream, or with requests if the firmware has no "
+      "streams or another host uses them. A higher frequency looks like a lower one, its alias, "
+      "so it samples at two rates and names the frequencies that remain possible. It "
+      "interpolates up to 1 % of lost samples; if more are lost, there is no spectrum.\n"
       "\n"
       "Examples:\n"
       "  sbgc doctor\n"
       "  sbgc doctor --for 20s --format json\n"
       "  sbgc doctor --thresholds\n"
       "\n"
-      "The exit status is 0 if nothing is wrong, 1 if something is or the gimbal does not answer, "
-      "2 for wrong usage, 130 after Ctrl-C.");
+      "The exit status is 0 if nothing is wrong, 1 if something is or the gimbal does not "
+      "answer, 2 for wrong usage, 130 after Ctrl-C.");
   command.runs(examine);
 }
 

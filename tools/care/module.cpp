@@ -119,7 +119,7 @@ int flash_firmware(const ModuleFlashChoice& options, const CommandContext& conte
 
 void add_module(CLI::App& app, CommandContext& context) {
   const Subcommand<NoOptions> command(app, context, "module",
-                                      "List modules on the CAN bus, and load their firmware");
+                                      "List CAN modules, and load their firmware");
   command->require_subcommand(1);
   command->footer(
       "The exit status is 0 for success; 1 for a failure; 2 for wrong usage; 130 after Ctrl-C.");
@@ -136,16 +136,15 @@ void add_module(CLI::App& app, CommandContext& context) {
       ->required()
       ->type_name("MODULE");
   flash->footer(
-      "Each part of the file is sent once, after the board has confirmed the one before. On any "
-      "error the command ends and says which part was confirmed last; then start again from the "
+      "It sends each part of the file once, after the board has confirmed the previous part. "
+      "After an error, it says which part was confirmed last; then start again from the "
       "beginning.\n"
       "\n"
       "Example:\n"
       "  sbgc module flash driver.bin --module CAN_DRV1\n"
       "\n"
-      "The exit status is 0 if the board has confirmed all of it; 1 if not; 2 for wrong usage; 130 "
-      "after "
-      "Ctrl-C.");
+      "The exit status is 0 if the board has confirmed all parts; 1 if not; 2 for wrong usage; "
+      "130 after Ctrl-C.");
   flash.runs(flash_firmware);
 }
 

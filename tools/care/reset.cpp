@@ -87,8 +87,8 @@ int reset_board(const ResetOptions& options, const CommandContext& context) {
 void add_reset(CLI::App& app, CommandContext& context) {
   const Subcommand<ResetOptions> command(app, context, "reset", "Restart the board");
   command->footer(
-      "Waits until the board has confirmed the restart and answers again. Settings that are not "
-      "stored are lost.\n"
+      "It waits until the board has restarted and answers again. Settings that are not stored "
+      "are lost.\n"
       "\n"
       "The exit status is 0 if the board is back, 1 if not, 2 for wrong usage, 130 after Ctrl-C.");
   command.examples({"sbgc reset"});

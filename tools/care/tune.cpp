@@ -224,11 +224,9 @@ int tune(const TuneOptions& options, const CommandContext& context) {
 void add_tune(CLI::App& app, CommandContext& context) {
   const Subcommand<TuneOptions> command(app, context, "tune", "Tune the controllers automatically");
   auto& options = command.options();
-  command->add_option("axes", options.axes, "The axes to tune; without any, all")
+  command->add_option("axes", options.axes, "The axes to tune; by default all")
       ->transform(one_of({"roll", "pitch", "yaw"}));
-  command
-      ->add_option("--gain", options.gain,
-                   "From 0, which prefers stability, to 100, which prefers high gains")
+  command->add_option("--gain", options.gain, "From 0 (stability) to 100 (high gains)")
       ->type_name("PERCENT")
       ->check(number_range(0.0, 100.0))
       ->capture_default_str();
@@ -236,13 +234,12 @@ void add_tune(CLI::App& app, CommandContext& context) {
   command->add_flag("--filters", options.filters, "Tune the low-pass filters as well");
   add_profile_option(*command, options.profile);
   command->footer(
-      "The motors must be on. It shows the progress, then the values before and after, and asks "
-      "whether to keep the new ones; otherwise, and after Ctrl-C, it writes the old ones back. "
-      "--yes keeps them. After a signal, the way back may take 60 s, whatever signals come. If the "
-      "command dies before that, or at a second Ctrl-C half a second after the first or later, a "
-      "guard process ends the tuning and "
-      "writes the old values back. Firmware from 2.73 on tunes with another request, of which too "
-      "little is documented, and which this command does not send.\n"
+      "The motors must be on. It shows the progress, then the old and new values, and asks "
+      "whether to keep the new ones; --yes keeps them. Otherwise, and after Ctrl-C, it writes "
+      "the old ones back, which may take 60 s. If the command dies, or after a second Ctrl-C at "
+      "least half a second later, a guard process ends the tuning and writes the old values "
+      "back. Firmware from 2.73 on tunes with another request, which is hardly documented and "
+      "which this command does not send.\n"
       "\n"
       "Examples:\n"
       "  sbgc tune\n"

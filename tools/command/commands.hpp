@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include <CLI/CLI.hpp>
 
@@ -16,8 +17,8 @@ struct CommandContext {
   GimbalOptions gimbal{};
 };
 
-/// What the help of `sbgc` alone begins with.
-const char* first_commands();
+/// The beginning of the help of `sbgc` alone.
+std::string first_commands(const CLI::App& app);
 
 /// Adds the subcommands that this program has: those of all_commands.cpp or offline_commands.cpp.
 void add_commands(CLI::App& app, CommandContext& context);

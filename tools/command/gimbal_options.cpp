@@ -39,23 +39,23 @@ void add_gimbal_options(CLI::App& command, GimbalOptions& options) {
   };
   add("-p,--port", options.port, "ADDRESS",
       "Address of the gimbal: " + address_syntax() +
-          ". Without it, the only gimbal found on the serial ports");
+          ". By default, the only gimbal found on the serial ports");
   add("-g,--gimbal", options.name, "GIMBAL", "Name of the gimbal in the configuration file");
   add_duration(command, "--timeout", options.timeout,
-               "The longest time to connect (20s), and to wait for the response to one request (as "
-               "specified for the command)")
+               "The longest time to connect (20s), and to wait for a response (as specified for "
+               "the command)")
       ->group(gimbal_group);
   add("--attempts", options.attempts, "NUMBER",
-      "How often a request is sent if no response arrives and it may be repeated (3)")
+      "How often to send a request that may be repeated, if no response arrives (3)")
       ->check(CLI::Range(1, 100).description(""));
   add_duration(command, "--attempt-time", options.attempt_timeout,
-               "The least time to wait for the response in each attempt; a slow radio link needs "
-               "more than the protocol specifies")
+               "The shortest time to wait for a response in each attempt; a slow radio link "
+               "needs more than the protocol specifies")
       ->group(gimbal_group);
   add("--password-file", options.password_file, "FILE",
-      "File of mode 0600 with the password of the port, which is sent first; - asks for it");
+      "File of mode 0600 with the password of the port; - asks for it");
   add("--capture", options.capture, "FILE", "Record all traffic in this capture");
-  command.add_flag("-v,--verbose", options.verbose, "Print each frame, decoded, on standard error")
+  command.add_flag("-v,--verbose", options.verbose, "Print each frame, decoded, to standard error")
       ->group(gimbal_group);
 }
 

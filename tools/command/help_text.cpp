@@ -8,6 +8,7 @@
 
 #include <sbgc/internal/parse_number.hpp>
 
+#include "command/colors.hpp"
 #include "command/command_line_facts.hpp"
 #include "command/gimbal_options.hpp"
 #include "command/system.hpp"
@@ -71,6 +72,31 @@ std::string wrapped(std::string_view text, std::size_t width, std::size_t column
       column += spaces + word.size();
       is_begin = false;
     }
+  }
+  return result;
+}
+
+std::string colored_help(std::string_view help) {
+  const Colors colors(stdout);
+  if (!colors.are_on()) return std::string(help);
+  std::string result;
+  bool is_after_gap = true;
+  bool has_names = false;  // the lines below this heading
+  while (!help.empty()) {
+    const std::string_view line = take(help, '\n');
+    const bool is_heading = is_after_gap && line.ends_with(':') && line.find('.') == line.npos;
+    const bool is_entry = has_names && line.starts_with("  ") && !line.starts_with("   ");
+    is_after_gap = line.empty();
+    if (is_heading) has_names = !line.starts_with("Example");
+    if (is_heading) {
+      result += colors(Color::bold, line);
+    } else if (is_entry) {
+      const std::size_t end = std::min(line.find("  ", 2), line.size());
+      result += colors(Color::cyan, line.substr(0, end)).append(line.substr(end));
+    } else {
+      result += line;
+    }
+    result += '\n';
   }
   return result;
 }

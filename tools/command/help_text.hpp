@@ -21,6 +21,9 @@ std::size_t line_width(std::FILE* file = stdout);
 std::string wrapped(std::string_view text, std::size_t width, std::size_t column = 0,
                     std::size_t indent = 0);
 
+/// Returns a help for standard output: on a terminal, headings are bold and names are colored.
+std::string colored_help(std::string_view help);
+
 /// The formatter of CLI11, with lines wrapped between words.
 class HelpFormatter : public CLI::Formatter {
  public:

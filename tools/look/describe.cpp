@@ -634,10 +634,9 @@ void add_describe(CLI::App& app, CommandContext& context) {
           "name", options.words,
           "A command (CMD_CONTROL, control, 67, 0x43), a message (ControlExt), a field "
           "(control_mode, axes.pitch.angle, Control.axes), an enum or one of its values "
-          "(MODE_ANGLE), "
-          "an adjustable variable (LPF_FREQ_ROLL), a topic of parameters (pid) or a family. "
-          "Other words are searched in names and descriptions. Without any, all "
-          "commands are listed")
+          "(MODE_ANGLE), an adjustable variable (LPF_FREQ_ROLL), a topic of parameters (pid) or "
+          "a family. Other words are searched in names and descriptions. Without a word, it "
+          "lists all commands")
       ->type_name("WORD");
   command->footer("The exit status is 0 if something is found, 1 if not, 2 for wrong usage.");
   command.examples({"sbgc describe CMD_CONTROL", "sbgc describe bat_level",

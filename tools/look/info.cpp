@@ -247,11 +247,9 @@ void add_info(CLI::App& app, CommandContext& context) {
                     "List all features and commands, and explain those that the board has");
   add_format(*command, options.format);
   command->footer(
-      "'without' lists the features that the board reports it lacks, 'not supported' the commands "
-      "that this board or its firmware does not have. The requests that test the line change "
-      "nothing. JSON has everything. The exit status is 0 if a board answered, 1 if none did, 2 "
-      "for "
-      "wrong usage.\n"
+      "'without' lists the features that the board lacks, 'not supported' the commands that this "
+      "board or its firmware does not have. It only reads. JSON has all details. The exit status "
+      "is 0 if a board answered, 1 if none did, 2 for wrong usage.\n"
       "\n"
       "Examples:\n"
       "  sbgc info\n"

@@ -282,8 +282,8 @@ void add_stream(CLI::App& app, CommandContext& context) {
                    "The message, such as RealtimeData4; without it, the angles")
       ->type_name("STREAM");
   auto* const id = command->add_option("--id", options.id,
-                                       "Show the bytes of the stream of this message, also of one "
-                                       "that is not known here");
+                                       "Show the bytes of the stream with this message id, which "
+                                       "may be unknown");
   id->type_name("NUMBER")->check(CLI::Range(1, 255));
   command->add_option("--config", options.config, "CONFIG of the request for --id; 0 by default")
       ->type_name("HEX")
@@ -297,18 +297,18 @@ void add_stream(CLI::App& app, CommandContext& context) {
       ->type_name("FIELDS");
   command
       ->add_option("--with", options.with,
-                   "What the messages contain, if the request chooses it: flags joined by |, or "
+                   "What the messages contain, if the request selects it: flags joined by |, or "
                    "NAME=VALUE, separated by commas. By default, what --fields needs")
       ->type_name("FLAGS");
   add_duration(*command, "--for", options.time, "Stop after this time; otherwise with Ctrl-C");
   command->add_flag("--unix-time", options.unix_time,
-                    "Write the time since 1970 instead of that since the start");
+                    "Print the time since 1970 instead of since the start");
   command->footer(
       "Values are in their units. In CSV, names and flags are numbers, and undefined values are "
-      "empty. The time is that of arrival. If the line is lost, the command connects again and "
-      "goes on. Where the firmware has no data streams (before 2.59), it requests each message. "
-      "The exit status is 0 if the stream was shown until its end, Ctrl-C included, 1 if "
-      "there is no connection or no such stream on this board, or if messages could not be "
+      "empty. The time is the time of arrival. If the line is lost, the command reconnects and "
+      "continues. With firmware that has no data streams (before 2.59), it requests each "
+      "message. The exit status is 0 if the stream was shown until its end, Ctrl-C included, 1 "
+      "if there is no connection or no such stream on this board, or if messages could not be "
       "decoded, 2 for wrong usage.\n"
       "\n"
       "Examples:\n"

@@ -371,13 +371,14 @@ void add_bode(CLI::App& app, CommandContext& context) {
       ->capture_default_str();
   command
       ->add_option("--at", options.positions,
-                   "Turn the camera here first, in degrees; several record one after the other")
+                   "Turn the camera here first, in degrees; repeat it to record at several "
+                   "positions")
       ->type_name("ROLL,PITCH")
       ->allow_extra_args(false);
   command
       ->add_option(
           "-o,--output", options.output,
-          "Save the samples to this file (CSV of the vendor's program); with --at, to a folder")
+          "Save the samples to this file (CSV of the vendor's program); with --at, to this folder")
       ->type_name("FILE");
   command->add_flag("--force", options.force, "Replace files");
   command->add_option("--on-cancel", options.on_cancel, "What Ctrl-C does during a recording")
@@ -391,14 +392,12 @@ void add_bode(CLI::App& app, CommandContext& context) {
       "`sbgc describe BodeStimulus` and `sbgc describe BodeSystem` list what --stimulus and "
       "--system take.\n"
       "\n"
-      "The board shakes the axis and sends what goes in and comes out, 1250 samples a second. No "
-      "command "
-      "ends a recording before its time: Ctrl-C waits, and a second one, half a second after the "
-      "first or later, turns the motors off; further signals change nothing.\n"
+      "The board shakes the axis and sends input and output, 1250 samples a second. No command "
+      "ends a recording early: Ctrl-C waits, and a second one, at least half a second later, "
+      "turns the motors off.\n"
       "\n"
-      "The coherence says which share of the output follows the stimulus: trust what is near 1. It "
-      "needs at "
-      "least 2.1 s without a gap.\n"
+      "The coherence is the share of the output that follows the stimulus: trust results where "
+      "it is near 1. It needs at least 2.1 s without a gap.\n"
       "\n"
       "Examples:\n"
       "  sbgc bode roll --gain 1000 --from 6 --to 200 --table\n"

@@ -92,7 +92,7 @@ void add_insistence(CLI::App& command, std::optional<std::chrono::milliseconds>&
             time = read(texts.front());
             return time.has_value();
           },
-          "Try for this time while the board does not answer; 10s by default, 0 is once")
+          "How long to retry while the board does not answer; 10s by default, 0 for once")
       ->check([read](const std::string& text) {
         return read(text) ? std::string()
                           : fmt::format("'{}' is not a duration; write 0, 1.5s or 2m", text);

@@ -244,10 +244,10 @@ void add_jog(CLI::App& app, CommandContext& context) {
       "  +, -                   change the speed\n"
       "  q                      quit\n"
       "\n"
-      "The camera stops when no key is held, and as described for `sbgc speed`.\n"
+      "The camera stops when you release the key, and as described for `sbgc speed`.\n"
       "\n"
-      "The exit status is 0 after q, 1 if something failed, 2 for wrong usage, 130 after Ctrl-C or "
-      "another signal.");
+      "The exit status is 0 after q, 1 if something failed, 2 for wrong usage, 130 after Ctrl-C "
+      "or another signal.");
   command.examples({"sbgc jog"});
   command.runs(jog);
 }

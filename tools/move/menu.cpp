@@ -144,17 +144,17 @@ void add_menu(CLI::App& app, CommandContext& context) {
       ->type_name("ACTION");
   command->add_flag("--list", options.list, "List the actions");
   command->footer(
-      "Another command with checks does what it can: `sbgc calibrate` calib-acc, calib-gyro and "
-      "calib-mag, `sbgc motors` motor-on, motor-off and motor-toggle, `sbgc tune` auto-pid, and "
-      "`sbgc reset` reset.\n"
+      "Some actions belong to commands with checks: calib-acc, calib-gyro and calib-mag to `sbgc "
+      "calibrate`, motor-on, motor-off and motor-toggle to `sbgc motors`, auto-pid to `sbgc "
+      "tune`, and reset to `sbgc reset`.\n"
       "\n"
-      "Nothing stops an action that moves the camera when this command dies; `sbgc stop` does.\n"
+      "If this command dies, an action that moves the camera continues; `sbgc stop` stops it.\n"
       "\n"
       "Example:\n"
       "  sbgc menu profile2\n"
       "\n"
-      "The exit status is 0 if the board accepted the action, 1 if not, 2 for wrong usage, 3 if it "
-      "was sent but not confirmed.");
+      "The exit status is 0 if the board accepted the action, 1 if not, 2 for wrong usage, 3 if "
+      "it was sent but not confirmed.");
   command.runs([&app](const MenuOptions& given, const CommandContext& shared) {
     return menu(given, app, shared);
   });

@@ -67,13 +67,13 @@ int turn_motors(const MotorsCommand& command, const CommandContext& context) {
 void add_motors(CLI::App& app, CommandContext& context) {
   const Subcommand<MotorsCommand> command(app, context, "motors", "Turn the motors on or off");
   auto& options = command.options();
-  command->add_option("state", options.state, "What the motors become")
+  command->add_option("state", options.state, "The new state of the motors")
       ->required()
       ->transform(one_of({"on", "off", "toggle"}));
   add_insistence(*command, options.time);
   command->footer(
-      "Hold the camera when you turn the motors off. While the board does not answer that, it is "
-      "tried again, for --for.\n"
+      "Hold the camera when you turn the motors off. While the board does not answer, the "
+      "command retries to turn them off, for the time of --for.\n"
       "\n"
       "The exit status is 0 if the board accepted it, 1 if not, 2 for wrong usage, 130 after "
       "Ctrl-C.");

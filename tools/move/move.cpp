@@ -123,25 +123,23 @@ void add_move(CLI::App& app, CommandContext& context) {
       ->type_name("NUMBER")
       ->capture_default_str();
   command->add_flag("--relative", options.relative,
-                    "The angles count from the current ones; less than two turns");
+                    "Count the angles from the current ones; less than two turns");
   command->add_flag("--wait", options.wait,
-                    "Wait until the camera is there. Ctrl-C stops it before the command ends, as "
-                    "for `sbgc speed`, and if the command dies, a guard process stops it");
+                    "Wait until the camera is there. Ctrl-C stops the camera, as in `sbgc "
+                    "speed`; if the command dies, a guard process stops it");
   command->footer(
-      "The question names the target and which way the camera turns, and warns of cables if that "
-      "is "
-      "more than half a turn. Other axes stay under, or return to, RC control. Without --wait, the "
-      "command ends as soon "
-      "as "
-      "the camera turns; it stops at its target by itself, and `sbgc stop` stops it before.\n"
+      "The question names the target and the direction, and warns of cables before more than "
+      "half a turn. Other axes stay under, or return to, RC control. Without --wait, the command "
+      "ends as soon as the camera turns; the camera stops at its target, and `sbgc stop` stops "
+      "it earlier.\n"
       "\n"
       "Examples:\n"
       "  sbgc move --pitch 30 --wait\n"
       "  sbgc move --tilt 30down --pan 45left\n"
       "  sbgc move --yaw 5 --relative --speed 2 --yes\n"
       "\n"
-      "The exit status is 0 if the camera is at its target, or turns to it without --wait; 1 if "
-      "not; 2 for wrong usage; 130 if it was stopped by Ctrl-C.");
+      "The exit status is 0 if the camera is at its target, or without --wait, if it turns to "
+      "the target; 1 if not; 2 for wrong usage; 130 if Ctrl-C stopped it.");
   command.runs(move);
 }
 

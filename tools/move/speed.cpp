@@ -129,24 +129,20 @@ void add_speed(CLI::App& app, CommandContext& context) {
   auto& options = command.options();
   add_axis_options(*command, options.speeds, "Speed", "deg/s");
   add_duration(*command, "--for", options.time,
-               "How long to turn: 500ms, 2s, 1m. Without it, until Ctrl-C, in a terminal only");
+               "How long to turn: 500ms, 2s, 1m. In a terminal, the default is until Ctrl-C");
   command->footer(
-      "Other axes hold still. The camera stops when the time is over, with Ctrl-C, and when the "
-      "command or its terminal dies: then a guard process stops it. If the line is lost, firmware "
+      "Other axes hold still. The camera stops when the time is over and after Ctrl-C; if the "
+      "command or its terminal dies, a guard process stops it. If the line is lost, firmware "
       "from 2.61 on ends serial control after half a second, and RC takes over; with older "
-      "firmware "
-      "the camera stops at an angle that is half a second ahead. After a signal, the stop may take "
-      "8 s, whatever signals come; then, or at a second Ctrl-C half a second after the first or "
-      "later, it is left to the guard.\n"
+      "firmware the camera stops at an angle half a second ahead. After a signal, the stop may "
+      "take 8 s; then, or after a second Ctrl-C at least half a second later, the guard takes "
+      "over.\n"
       "\n"
       "Example:\n"
       "  sbgc speed --yaw 5 --for 2s\n"
       "\n"
       "The exit status is 0 if the camera turned and has stopped, 1 if not, 2 for wrong usage, 3 "
-      "if "
-      "nothing shows that it turned, 130 if Ctrl-C ended it before its time, or another signal "
-      "ended "
-      "it.");
+      "if it is unknown whether it turned, 130 if Ctrl-C or another signal ended it early.");
   command.runs(turn_at_speed);
 }
 

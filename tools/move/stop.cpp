@@ -37,11 +37,11 @@ void add_stop(CLI::App& app, CommandContext& context) {
   add_insistence(*command, command.options().time);
   command->footer(
       "Commands speed 0 on all axes until the board has reported for half a second that no axis "
-      "turns. While the board does not answer, it tries again. The motors keep their power. If the "
-      "camera shakes or does not stop, use `sbgc motors off` or the battery "
-      "switch: the camera then drops to its heavy side.\n"
+      "turns. While the board does not answer, the command retries. The motors keep their power. "
+      "If the camera shakes or does not stop, use `sbgc motors off` or the battery switch: the "
+      "camera then drops to its heavy side.\n"
       "\n"
-      "The exit status is 0 if the camera has stopped, 1 if not, or if something else turns it, 2 "
+      "The exit status is 0 if the camera has stopped, 1 if not or if something else turns it, 2 "
       "for wrong usage, 130 after Ctrl-C.");
   command.examples({"sbgc stop", "sbgc stop --for 1m"});
   command.runs(stop_camera);

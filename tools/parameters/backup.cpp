@@ -445,20 +445,16 @@ void add_params_restore(CLI::App& params, CommandContext& context) {
                    "Where to save the present parameters first; by default next to FILE, with "
                    "the time in the name")
       ->type_name("FILE");
-  command->add_flag("--other-model", options.other_model,
-                    "Also if the backup is of another board model");
+  command->add_flag("--other-model", options.other_model, "Accept a backup of another board model");
   command->add_flag("--other-firmware", options.other_firmware,
-                    "Also if the backup is of another firmware");
+                    "Accept a backup of another firmware");
   command->add_flag("--partial", options.partial,
-                    "Also if parameter sets were removed from the backup");
+                    "Accept a backup from which parameter sets were removed");
   command->footer(
-      "Only what differs is written, block by block; each is read back and compared, and at the "
-      "end all of them again. After a failure or Ctrl-C, it says within 60 s what the board holds, "
-      "whatever signals come. Of a "
-      ".profile "
-      "file, what has no certain counterpart in the protocol is listed and not written; --profile "
-      "is "
-      "for files with one profile.");
+      "It writes only differences, block by block; it reads back and compares each block, and "
+      "finally all of them. After a failure or Ctrl-C, it says within 60 s what the board holds. "
+      "Entries of a .profile file without a certain counterpart in the protocol are listed, not "
+      "written; --profile is for files with one profile.");
   command.examples({"sbgc params restore gimbal.json --dry-run", "sbgc params restore gimbal.json",
                     "sbgc params restore studio.profile --profile 2"});
   command.runs(restore_file);
@@ -474,18 +470,16 @@ void add_params_diff(CLI::App& params, CommandContext& context) {
       ->type_name("FILE")
       ->expected(0, 2);
   command->add_flag("--defaults", options.defaults,
-                    "Compare a profile with the factory defaults. To read them, the board goes "
-                    "back to them in another profile for a moment");
+                    "Compare a profile with the factory defaults. To read them, the board resets "
+                    "another profile for a moment");
   add_profile_option(*command, options.profile);
   add_format(*command, options.format);
   command->footer(
       "--defaults also keeps the defaults in ~/.cache/sbgc, for `sbgc params show --changed`. "
-      "After "
-      "a signal, the parameters from before return first, which may take 60 s, whatever signals "
-      "come; a second Ctrl-C, half a second after the first or later, cuts that short, and what is "
-      "not restored is said. The exit status is 0 if there are no differences, 1 if there are, 3 "
-      "if they could not be "
-      "compared, 2 for wrong usage.");
+      "After a signal, it first restores the parameters, which may take 60 s; a second Ctrl-C, "
+      "at least half a second later, cuts this short, and the command says what it did not "
+      "restore. The exit status is 0 if there are no differences, 1 if there are, 3 if they "
+      "could not be compared, 2 for wrong usage.");
   command.examples({"sbgc params diff gimbal.json", "sbgc params diff gimbal.json other.json",
                     "sbgc params diff --defaults --profile 2"});
   command.runs(compare_or_tell);

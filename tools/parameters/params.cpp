@@ -14,9 +14,9 @@ void add_params(CLI::App& app, CommandContext& context) {
     add(*params, context);
   }
   params->footer(
-      "A parameter is named by its path (axes.pitch.p), by the end of it (pitch.p), or as in the "
-      "specification. Some parameters are general: they apply to the whole board, are stored in "
-      "every profile, and are set in all of them.");
+      "You can name a parameter by its path (axes.pitch.p), by the end of the path (pitch.p), or "
+      "as in the specification. Some parameters are general: they apply to the whole board, and "
+      "are stored and set in every profile.");
 }
 
 }  // namespace sbgc::tools

@@ -13,7 +13,7 @@ namespace sbgc::tools {
 void add_profile_option(CLI::App& command, ProfileOption& option) {
   command
       .add_option("--profile", option.number,
-                  "The profile, counted from 1; without it, the active one")
+                  "The profile, counted from 1; by default the active one")
       ->type_name("NUMBER")
       ->check(CLI::Range(1, static_cast<int>(profile_count)).description(""));
 }

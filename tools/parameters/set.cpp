@@ -132,11 +132,10 @@ void add_params_set(CLI::App& params, CommandContext& context) {
                     "Also write values that the specification does not allow");
   command->footer(
       "Reads the parameters, changes them, checks ranges and contradictions, asks, writes, reads "
-      "back and compares. A number is in the unit that `params show` prints, which may be written "
-      "after it; raw:NUMBER is the number on the wire. NAME=+10% and NAME=-10% "
-      "change by a share of the present value, NAME+=VALUE and NAME-=VALUE by an amount. A general "
-      "parameter is set in all "
-      "profiles.\n"
+      "back and compares. Numbers have the unit that `params show` prints, with or without its "
+      "name; raw:NUMBER is the number on the wire. NAME=+10% and NAME=-10% change the present "
+      "value by a share, NAME+=VALUE and NAME-=VALUE by an amount. A general parameter is set in "
+      "all profiles.\n"
       "\n"
       "Examples:\n"
       "  sbgc params set pitch.p=20\n"

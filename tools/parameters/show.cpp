@@ -353,14 +353,13 @@ void add_params_show(CLI::App& params, CommandContext& context) {
           "of that file: a backup, or of the vendor's program")
       ->type_name("WORDS");
   command->add_flag("--changed", options.changed,
-                    "Only the parameters that differ from the factory defaults");
+                    "List only parameters that differ from the factory defaults");
   add_profile_option(*command, options.profile);
   add_format(*command, options.format);
   command->footer(
-      "On a terminal, $PAGER or less shows a page at a time. --changed compares with the defaults "
-      "that `sbgc params diff --defaults` has read from this board, for the parameters of "
-      "profiles: "
-      "the protocol has no request that only reads them.");
+      "On a terminal, $PAGER or less shows a page at a time. --changed compares the parameters "
+      "of profiles with the defaults that `sbgc params diff --defaults` has read from this "
+      "board, because no request only reads the defaults.");
   command.examples({"sbgc params show", "sbgc params show poles --profile 2",
                     "sbgc params show studio.profile pid"});
   command.runs(show);
@@ -368,7 +367,7 @@ void add_params_show(CLI::App& params, CommandContext& context) {
 
 void add_params_get(CLI::App& params, CommandContext& context) {
   const Subcommand<ShowOptions> command(params, context, "get",
-                                        "Print parameters and what they mean");
+                                        "Print parameters with their meanings");
   auto& options = command.options();
   command
       ->add_option("names", options.names,

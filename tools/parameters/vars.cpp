@@ -257,7 +257,7 @@ void add_vars(CLI::App& app, CommandContext& context) {
       ->required();
   set->add_flag("--save", set.options().save, "Save the change, so that it survives a restart");
   set->footer(
-      "NAME=+10% and NAME=-10% change by a share of the present value, NAME+=VALUE and NAME-=VALUE "
+      "NAME=+10% and NAME=-10% change the present value by a share, NAME+=VALUE and NAME-=VALUE "
       "by an amount.\n"
       "\n"
       "Examples:\n"

@@ -1,5 +1,6 @@
 // The subcommands where sbgc::io and sbgc::client exist: all.
 
+#include <string>
 #include <vector>
 
 #include <fmt/format.h>
@@ -61,15 +62,14 @@ void add_gateway(CLI::App& app, CommandContext& context) {
 }
 #endif
 
-const char* first_commands() {
-  return "To begin with:\n"
-         "  sbgc ports                      Which gimbals answer\n"
-         "  sbgc info                       Board, firmware and line\n"
-         "  sbgc monitor                    Angles and charts, live\n"
-         "  sbgc move --tilt 10down         Turn the camera, after a question\n"
-         "  sbgc doctor                     What is wrong, and what helps\n"
-         "  Without a gimbal: `sbgc emulate --link gimbal &`, then `sbgc -p gimbal info`\n"
-         "\n";
+std::string first_commands(const CLI::App& app) {
+  std::string text = "To begin with:\n";
+  for (const std::string line : {"ports", "info", "monitor", "move --tilt 10down", "doctor"}) {
+    const CLI::App* const command = app.get_subcommand(line.substr(0, line.find(' ')));
+    text += fmt::format("  sbgc {:<22} {}\n", line, command->get_description());
+  }
+  return text +
+         "  Without a gimbal: `sbgc emulate --link gimbal &`, then `sbgc -p gimbal info`\n\n";
 }
 
 void add_commands(CLI::App& app, CommandContext& context) {
@@ -79,21 +79,19 @@ void add_commands(CLI::App& app, CommandContext& context) {
     for (AddCommand* const add : commands) add(app, context);
   }
   app.footer(
-      "`sbgc help COMMAND` and the manual pages have the details; `sbgc help connection` explains "
-      "how commands find their gimbal, `sbgc describe` the protocol.\n"
+      "`sbgc help COMMAND` and the manual pages have the details; `sbgc help connection` "
+      "explains how commands find their gimbal, `sbgc describe` the protocol.\n"
       "\n"
       "A command that moves the camera or writes to the board says what will happen and asks; "
-      "--yes agrees beforehand. After Ctrl-C or another signal, a stop may take 8 s and a write "
-      "60 s, whatever signals come. Results go to standard output, everything else to standard "
-      "error.\n"
+      "--yes agrees in advance. After Ctrl-C or another signal, a stop may take 8 s and a write "
+      "60 s. Results go to standard output, everything else to standard error.\n"
       "\n"
-      "The exit status is 0 for success; 1 for a failure, a missing confirmation, or if what was "
-      "asked is not so; 2 for wrong usage; 3 if `params diff` could not compare; 130 if Ctrl-C or "
-      "another signal ended the command before it was done.\n"
+      "The exit status is 0 for success; 1 for a failure or a negative answer; 2 for wrong "
+      "usage; 3 if the board did not confirm a command, or `params diff` could not compare; 130 "
+      "if Ctrl-C or another signal interrupted the command.\n"
       "\n"
-      "SBGC_TOKEN is the token of `sbgc bridge --ws`. With NO_COLOR, "
-      "output has no colors. COLUMNS is the width of "
-      "the help.");
+      "SBGC_TOKEN is the token of `sbgc bridge --ws`. With NO_COLOR, output has no colors. "
+      "COLUMNS is the width of the help.");
   app.parse_complete_callback([&app] { require_use_of_gimbal_options(app); });
 }
 

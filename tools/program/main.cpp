@@ -31,7 +31,7 @@ int run(int argc, char** argv) {
                        "Print the version, the protocol and the fingerprint of its model");
   add_commands(app, context);
   if (argc == 1) {
-    fmt::print("{}{}", first_commands(), app.help());
+    fmt::print("{}", colored_help(first_commands(app) + app.help()));
     return success;
   }
   try {
@@ -40,7 +40,7 @@ int run(int argc, char** argv) {
     if (!app.remaining().empty()) return report_usage_error(app, asked_for);
     std::ostringstream text;
     app.exit(asked_for, text, text);
-    fmt::print("{}", text.str());
+    fmt::print("{}", colored_help(text.str()));
   } catch (const CLI::ParseError& error) {
     return report_usage_error(app, error);
   }

@@ -4,7 +4,7 @@
 
 namespace sbgc::tools {
 
-const char* first_commands() { return ""; }
+std::string first_commands(const CLI::App&) { return ""; }
 
 void add_commands(CLI::App& app, CommandContext& context) {
   app.group("Look");  // the heading in the help

@@ -171,16 +171,15 @@ void add_bridge(CLI::App& app, CommandContext& context) {
   const Subcommand<BridgeOptions> command(app, context, "bridge",
                                           "Share one gimbal between several programs");
   auto& options = command.options();
-  command->add_option("address", options.address, "The address of the gimbal, as for --port")
+  command->add_option("address", options.address, "The address of the gimbal, as in --port")
       ->type_name("ADDRESS");
   add_places(*command, options.places);
   add_listen(*command, "--ws", options.web_sockets,
-             "Listen for WebSockets, whose binary messages are the bytes of the protocol");
+             "Listen for WebSockets, whose binary messages carry the protocol");
   auto* const token = command->add_option(
       "--token", options.access.token,
-      "What a WebSocket must know; by default a random text, which is printed. Others on "
-      "this machine see the command line; the environment variable SBGC_TOKEN is "
-      "private, and is not printed");
+      "The secret of WebSockets; by default a random text, which is printed. Other users see the "
+      "command line, so prefer the environment variable SBGC_TOKEN");
   token->check(token_problem)->type_name("TEXT")->group(places_group);
   command
       ->add_option("--origin", options.access.origins,
@@ -193,25 +192,24 @@ void add_bridge(CLI::App& app, CommandContext& context) {
       ->group(places_group);
   command->add_flag(
       "--allow-passwords", options.allows_passwords,
-      "Let passwords pass, which open the gimbal for all programs at the bridge: that "
-      "of --password-file, and those that programs send");
+      "Accept passwords, from --password-file and from programs; each opens the gimbal for all "
+      "programs");
   add_duration(*command, "--for", options.time, "Stop after this time; otherwise with Ctrl-C");
   command->footer(
-      "Each program talks to the gimbal as if it were alone. Requests are executed one after "
-      "another, and each response goes to the program that asked. The gimbal sends a data stream "
-      "at the highest rate that a program wants, and each program gets its own rate; it has one "
-      "configuration at a time: while one runs, a request for other contents of "
-      "RealtimeDataCustom, "
-      "for example, gets an error. Other messages go to all. If the line is lost, the programs "
-      "stay connected, and the bridge connects again "
-      "and starts the streams again. Whoever can connect can move the gimbal: only programs on "
-      "this "
-      "machine, unless HOST says otherwise. A web page connects with new WebSocket(url, [\"sbgc\", "
-      "\"token.TOKEN\"]), or with '?token=TOKEN' in the URL. The exit status is 0 after Ctrl-C, 1 "
-      "if the gimbal is "
-      "not found or a place cannot be opened, 2 for wrong usage.\n\n"
-      "Examples:\n  sbgc bridge /dev/ttyUSB0 --tcp 5000\n  sbgc bridge --link /tmp/gimbal --tcp "
-      "5000 -p tcp:10.0.0.7:5000");
+      "Each program talks to the gimbal as if it were alone. The bridge executes requests one "
+      "after another, and returns each response to the program that asked. Each program gets the "
+      "streams and rates that it requests, but a stream has one configuration at a time: a "
+      "request for other contents of RealtimeDataCustom gets an error. Other messages go to all "
+      "programs. If the line is lost, the programs stay connected, and the bridge reconnects and "
+      "restarts the streams. Anyone who can connect can move the gimbal: only programs on this "
+      "machine, unless HOST says otherwise. A web page connects with new WebSocket(url, "
+      "[\"sbgc\", \"token.TOKEN\"]), or with '?token=TOKEN' in the URL. The exit status is 0 "
+      "after Ctrl-C, 1 if the gimbal is not found or the bridge cannot listen, 2 for wrong "
+      "usage.\n"
+      "\n"
+      "Examples:\n"
+      "  sbgc bridge /dev/ttyUSB0 --tcp 5000\n"
+      "  sbgc bridge --link /tmp/gimbal --tcp 5000 -p tcp:10.0.0.7:5000");
   command.runs([token](BridgeOptions& chosen, CommandContext& shared) {
     take_address(chosen, shared.gimbal);
     require_places(chosen, token->count() != 0);

@@ -395,7 +395,7 @@ void add_completion(CLI::App& app, CommandContext& context) {
       ->required()
       ->transform(one_of({"bash", "zsh", "fish"}));
   command->footer(
-      "An installed sbgc has them. Otherwise:\n"
+      "An installed sbgc has completion. Otherwise:\n"
       "  bash:  source <(sbgc completion bash)\n"
       "  zsh:   sbgc completion zsh > ~/.zfunc/_sbgc\n"
       "  fish:  sbgc completion fish > ~/.config/fish/completions/sbgc.fish");

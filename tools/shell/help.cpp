@@ -23,15 +23,14 @@ constexpr const char* connection_topic = "connection";
 
 std::string help_of_connection() {
   CLI::App page(
-      "How commands find their gimbal, and talk to it. The options stand before or after "
-      "the command.");
+      "How commands find and talk to their gimbal. The options may stand before or after the "
+      "command.");
   page.set_help_flag();
   GimbalOptions options;
   add_gimbal_options(page, options);
   page.footer(
-      "Without -p and -g, all serial ports are asked; if there are adapters, only these. If "
-      "several "
-      "gimbals answer, they are listed.\n"
+      "Without -p and -g, sbgc asks all serial ports, or only USB adapters if there are any. If "
+      "several gimbals answer, it lists them.\n"
       "\n"
       "The configuration file, ~/.config/sbgc/config.toml or $SBGC_CONFIG, names gimbals for "
       "--gimbal:\n"
@@ -40,8 +39,8 @@ std::string help_of_connection() {
       "  attempts = 5\n"
       "  attempt-time = 0.5\n"
       "\n"
-      "SBGC_PORTS names a file with a list of ports, as `sbgc ports --format json` prints it, in "
-      "place of those of the system.");
+      "SBGC_PORTS names a file that replaces the list of ports, in the format of `sbgc ports "
+      "--format json`.");
   page.formatter(std::make_shared<HelpFormatter>(line_width(), true));
   return page.help();
 }
@@ -52,7 +51,7 @@ struct HelpOptions {
 
 int print_help(const CLI::App& app, const HelpOptions& options) {
   if (options.words == std::vector<std::string>{connection_topic}) {
-    fmt::print("{}", help_of_connection());
+    fmt::print("{}", colored_help(help_of_connection()));
     return success;
   }
   const CLI::App* command = &app;
@@ -68,8 +67,8 @@ int print_help(const CLI::App& app, const HelpOptions& options) {
     command = nested;
   }
   // App::help() would be that of `help`, which the command line chose.
-  fmt::print("{}", command->get_formatter()->make_help(command, full_name(*command),
-                                                       CLI::AppFormatMode::Normal));
+  fmt::print("{}", colored_help(command->get_formatter()->make_help(command, full_name(*command),
+                                                                    CLI::AppFormatMode::Normal)));
   return success;
 }
 
@@ -81,7 +80,7 @@ void add_help(CLI::App& app, CommandContext& context) {
   auto& options = command.options();
   command
       ->add_option("words", options.words,
-                   "The command, or 'connection' for the options of a gimbal; without it, sbgc "
+                   "The command, or 'connection' for the options of a gimbal; by default sbgc "
                    "itself")
       ->type_name("COMMAND");
   command.examples({"sbgc help connection", "sbgc help params set"});

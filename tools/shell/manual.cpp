@@ -199,11 +199,11 @@ void add_manual(CLI::App& app, CommandContext& context) {
   const Subcommand<ManualOptions> command(app, context, "manual",
                                           "Print a manual page in the format of man");
   auto& options = command.options();
-  command->add_option("command", options.command, "The command; without it, sbgc itself")
+  command->add_option("command", options.command, "The command; by default sbgc itself")
       ->type_name("COMMAND");
   command->add_option("--folder", options.folder, "Write all pages to this folder")
       ->type_name("FOLDER");
-  command->footer("`sbgc manual decode | man -l -` shows a page; an installed sbgc has them all.");
+  command->footer("`sbgc manual decode | man -l -` shows a page. An installed sbgc has all pages.");
   command.examples({"sbgc manual params"});
   command.runs([&app](const ManualOptions& chosen) { return print_manual(app, chosen); });
 }

@@ -80,7 +80,7 @@ void add_named_directions(CLI::App& command, CLI::Option& signed_option, std::si
                           std::optional<double>& into, const std::string& unit) {
   const AxisDirection& ways = axis_directions[axis];
   for (const std::string& name : named_options(axis)) {
-    command.add_option(name, into, "The same in words: " + examples_of(ways))
+    command.add_option(name, into, "The same with the direction in words: " + examples_of(ways))
         ->transform(number_with_direction(unit, ways))
         ->type_name(fmt::format("NUMBER{}|NUMBER{}", ways.positive, ways.negative))
         ->excludes(&signed_option);

@@ -14,7 +14,7 @@ namespace sbgc::tools {
 inline CLI::Option* add_rate(CLI::App& command, double& rate) {
   return command
       .add_option("--rate", rate,
-                  "Messages per second; the board rounds the time between them to milliseconds")
+                  "Messages per second; the board rounds the interval to milliseconds")
       ->type_name("HZ")
       ->check(number_range(0.02, 1000.0))
       ->capture_default_str();

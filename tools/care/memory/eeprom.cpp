@@ -166,34 +166,37 @@ void add_eeprom(CLI::App& app, CommandContext& context) {
   reading->add_option("--address", reading.options().address, "The first byte in the EEPROM")
       ->type_name("BYTE")
       ->capture_default_str();
-  reading->add_option("--size", reading.options().size, "How many bytes; otherwise up to the end")
+  reading
+      ->add_option("--size", reading.options().size,
+                   "Number of bytes; by default up to the "
+                   "end")
       ->type_name("BYTES");
   reading->add_flag("--raw", reading.options().raw,
-                    "Only the bytes, without the line that says what they are");
+                    "Only the bytes, without the line that describes them");
   reading->add_flag("--force", reading.options().force, "Replace the file if it exists");
   reading.examples({"sbgc eeprom read eeprom.bin"});
   reading.runs(read_eeprom);
   const Subcommand<EepromToWrite> writing(*eeprom, context, "write", "Write a file to the EEPROM");
   add_file(writing);
   writing->add_flag("--raw", writing.options().raw,
-                    "The file holds only bytes, of which nothing is known");
+                    "The file holds only bytes, without a description");
   writing
       ->add_option("--address", writing.options().address,
-                   "The first byte in the EEPROM, with --raw; otherwise 0")
+                   "The first byte in the EEPROM, with --raw; 0 by default")
       ->type_name("BYTE");
   writing->add_flag("--other-model", writing.options().other_model,
-                    "Also if the image is of another board model");
+                    "Accept an image of another board model");
   writing->add_flag("--other-firmware", writing.options().other_firmware,
-                    "Also if the image is of another firmware");
+                    "Accept an image of another firmware");
   writing.examples(
       {"sbgc eeprom write eeprom.bin", "sbgc eeprom write part.bin --raw --address 1024"});
   writing.runs(write_eeprom);
   eeprom->footer(
-      "The file begins with a line of JSON: board, firmware, serial number, address, size, and a "
-      "checksum of all; `tail -n +2` gives the bytes. What was changed is refused. Bytes that are "
-      "written are read back and compared. For parameters, use `sbgc params`: it checks them.\n"
+      "The file begins with a line of JSON: board, firmware, serial number, address, size and "
+      "checksum; `tail -n +2` prints the bytes. `write` refuses a changed file, and reads back "
+      "and compares what it has written. For parameters, use `sbgc params`: it checks them.\n"
       "\n"
-      "The exit status is 0 if everything was copied, 1 if not, 2 for wrong usage, 130 after "
+      "The exit status is 0 if all bytes were copied, 1 if not, 2 for wrong usage, 130 after "
       "Ctrl-C.");
 }
 

@@ -110,14 +110,16 @@ int delete_files(const FilesToDelete& options, const CommandContext& context) {
 }  // namespace
 
 void add_files(CLI::App& app, CommandContext& context) {
-  auto* const files = app.add_subcommand("files", "Files in the memory of the board");
+  auto* const files = app.add_subcommand("files",
+                                         "List, copy and delete files in the memory of "
+                                         "the board");
   files->require_subcommand(1);
   const auto add_id = [](const auto& command) {
     return command->add_option("id", command.options().id, "The number of the file")
         ->type_name("ID");
   };
   const Subcommand<FilesToList> listing(*files, context, "list",
-                                        "List the files with a range of ids");
+                                        "List the files in a range of ids");
   listing->add_option("--first", listing.options().first, "The first id to look for")
       ->type_name("ID")
       ->capture_default_str();
@@ -150,10 +152,10 @@ void add_files(CLI::App& app, CommandContext& context) {
   removing.examples({"sbgc files delete 5"});
   removing.runs(delete_files);
   files->footer(
-      "The protocol cannot list files: 'list' asks for each id. What is written is read back and "
-      "compared.\n"
+      "The protocol cannot list files, so `list` asks for each id. `put` reads the file back and "
+      "compares it.\n"
       "\n"
-      "The exit status is 0 if it was done, 1 if not, 2 for wrong usage, 130 after Ctrl-C.");
+      "The exit status is 0 for success, 1 for a failure, 2 for wrong usage, 130 after Ctrl-C.");
 }
 
 }  // namespace sbgc::tools

@@ -187,12 +187,11 @@ void add_monitor(CLI::App& app, CommandContext& context) {
       ->capture_default_str();
   command->footer(
       "Keys: 1 to 4, Tab and left and right choose the page, p or space pauses the display, z "
-      "shows "
-      "angles relative to the present ones, r begins and ends a capture in this folder whose name "
-      "is the time, m marks the moment in it (`sbgc decode` shows the mark), up and down scroll, ? "
-      "lists the keys, q quits. The least terminal has 40 columns and 8 rows.\n"
-      "It only reads. If the line is lost, it connects again by itself. The exit status is 0 after "
-      "q or Ctrl-C, 1 if no board was found, 2 for wrong usage.\n"
+      "shows angles relative to the present ones, r begins and ends a capture in this folder, m "
+      "adds a mark to it (`sbgc decode` shows the mark), up and down scroll, ? lists the keys, q "
+      "quits. The terminal needs at least 40 columns and 8 rows.\n"
+      "It only reads. If the line is lost, it reconnects. The exit status is 0 after q or "
+      "Ctrl-C, 1 if no board was found, 2 for wrong usage.\n"
       "\n"
       "Examples:\n"
       "  sbgc monitor\n"

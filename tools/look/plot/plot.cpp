@@ -228,13 +228,13 @@ void add_plot(CLI::App& app, CommandContext& context) {
                    "Only these fields, separated by commas: paths, their ends, or patterns with *")
       ->type_name("FIELDS");
   command->add_flag("--spectrum", options.spectrum,
-                    "Draw how strong each frequency is, up to 45 % of the sample rate");
+                    "Draw the strength of each frequency, up to 45 % of the sample rate");
   command->add_option("--svg", options.svg, "Write a picture to this file instead")
       ->type_name("FILE");
   options.of_live = {
       command->add_option("--stream", options.stream, "For live: the message [RealtimeData3]")
           ->type_name("STREAM"),
-      command->add_option("--with", options.with, "For live: as for `sbgc stream`")
+      command->add_option("--with", options.with, "For live: as in `sbgc stream`")
           ->type_name("FLAGS"),
       add_rate(*command, options.rate),
       add_duration(*command, "--for", options.time,
@@ -243,14 +243,12 @@ void add_plot(CLI::App& app, CommandContext& context) {
       ->check(CLI::Range(2, 100))
       ->type_name("LINES")
       ->capture_default_str();
-  command->add_flag("--ascii", options.ascii, "Draw with stars instead of dots of Braille");
+  command->add_flag("--ascii", options.ascii, "Draw with stars instead of Braille dots");
   command->footer(
-      "It only reads. Ctrl-C ends a recording early. Curves are drawn over time, with gaps where "
-      "nothing was sampled for long. A spectrum needs samples at equal distances: up to 1 % may be "
-      "lost, and are "
-      "interpolated. It names the strongest frequencies from 1 Hz on, and with which others they "
-      "are "
-      "aliases: another rate tells them apart, as `sbgc doctor` does.\n"
+      "It only reads. Ctrl-C ends a recording early. Curves have gaps where samples are missing. "
+      "A spectrum needs samples at equal intervals: it interpolates up to 1 % of lost samples. "
+      "It names the strongest frequencies from 1 Hz on and their possible aliases; to "
+      "distinguish these, record at another rate, as `sbgc doctor` does.\n"
       "\n"
       "Examples:\n"
       "  sbgc plot live --for 2s\n"
