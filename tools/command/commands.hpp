@@ -17,8 +17,8 @@ struct CommandContext {
   GimbalOptions gimbal{};
 };
 
-/// The beginning of the help of `sbgc` alone.
-std::string first_commands(const CLI::App& app);
+/// Returns what `sbgc` alone prints; it fits on a small terminal.
+std::string front_page(const CLI::App& app);
 
 /// Adds the subcommands that this program has: those of all_commands.cpp or offline_commands.cpp.
 void add_commands(CLI::App& app, CommandContext& context);

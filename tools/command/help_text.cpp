@@ -20,6 +20,7 @@ namespace {
 constexpr std::size_t usual_width = 80;
 constexpr std::size_t least_width = 40;
 constexpr std::size_t widest_names = 30;  // with the spaces around them
+constexpr std::size_t width_of_commands = 14;
 
 std::size_t width_from_environment() {
   const char* const text = std::getenv("COLUMNS");
@@ -130,7 +131,7 @@ std::string HelpFormatter::make_group(std::string group, bool is_positional,
     return Formatter::make_group(std::move(group), is_positional, std::move(options));
   }
   return '\n' + group + ":\n" +
-         entry("-p ADDRESS, -g GIMBAL", "and others: `sbgc help connection`");
+         entry("-p ADDRESS, -g GIMBAL", "and others: `sbgc help connection`", get_column_width());
 }
 
 std::string HelpFormatter::make_option_name(const CLI::Option* option, bool is_positional) const {
@@ -148,7 +149,7 @@ std::string HelpFormatter::make_option_usage(const CLI::Option* option) const {
 
 std::string HelpFormatter::make_option(const CLI::Option* option, bool is_positional) const {
   return entry(make_option_name(option, is_positional) + make_option_opts(option),
-               make_option_desc(option));
+               make_option_desc(option), get_column_width());
 }
 
 std::string HelpFormatter::make_option_opts(const CLI::Option* option) const {
@@ -162,7 +163,8 @@ std::string HelpFormatter::make_option_opts(const CLI::Option* option) const {
 }
 
 std::string HelpFormatter::make_subcommand(const CLI::App* command) const {
-  return entry(command->get_display_name(true), command->get_description());
+  return entry(command->get_display_name(true), command->get_description(),
+               std::min(width_of_commands, get_column_width()));
 }
 
 std::string HelpFormatter::make_expanded(const CLI::App* command) const {
@@ -177,8 +179,8 @@ std::string HelpFormatter::make_footer(const CLI::App* app) const {
   return text.empty() ? text : text + '\n';
 }
 
-std::string HelpFormatter::entry(const std::string& name, const std::string& description) const {
-  const std::size_t column = get_column_width();
+std::string HelpFormatter::entry(const std::string& name, const std::string& description,
+                                 std::size_t column) const {
   constexpr std::size_t indent = 2;
   std::string result = std::string(indent, ' ') + name;
   if (!description.empty()) {

@@ -46,7 +46,8 @@ class HelpFormatter : public CLI::Formatter {
 
  private:
   /// Returns a name, with its description in the next column or below.
-  std::string entry(const std::string& name, const std::string& description) const;
+  std::string entry(const std::string& name, const std::string& description,
+                    std::size_t column) const;
 
   std::size_t width_;
   bool explains_gimbal_;

@@ -62,14 +62,22 @@ void add_gateway(CLI::App& app, CommandContext& context) {
 }
 #endif
 
-std::string first_commands(const CLI::App& app) {
+std::string front_page(const CLI::App& app) {
   std::string text = "To begin with:\n";
   for (const std::string line : {"ports", "info", "monitor", "move --tilt 10down", "doctor"}) {
     const CLI::App* const command = app.get_subcommand(line.substr(0, line.find(' ')));
-    text += fmt::format("  sbgc {:<22} {}\n", line, command->get_description());
+    text += fmt::format("  sbgc {:<20} {}\n", line, command->get_description());
   }
-  return text +
-         "  Without a gimbal: `sbgc emulate --link gimbal &`, then `sbgc -p gimbal info`\n\n";
+  text += "\nWithout a gimbal: `sbgc emulate --link gimbal &`, then `sbgc -p gimbal info`\n";
+  text += "\nAll commands:\n";
+  for (const auto& [name, _] : headings) {
+    std::vector<std::string> names;
+    for (const CLI::App* const command : subcommands_of(app)) {
+      if (command->get_group() == name) names.push_back(command->get_name());
+    }
+    text += fmt::format("  {:<11} {}\n", name, fmt::join(names, ", "));
+  }
+  return text + "\n`sbgc help` describes them; `sbgc help COMMAND` has all options of one.\n";
 }
 
 void add_commands(CLI::App& app, CommandContext& context) {

@@ -31,7 +31,7 @@ int run(int argc, char** argv) {
                        "Print the version, the protocol and the fingerprint of its model");
   add_commands(app, context);
   if (argc == 1) {
-    fmt::print("{}", colored_help(first_commands(app) + app.help()));
+    fmt::print("{}", colored_help(front_page(app)));
     return success;
   }
   try {

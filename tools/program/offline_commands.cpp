@@ -4,7 +4,7 @@
 
 namespace sbgc::tools {
 
-std::string first_commands(const CLI::App&) { return ""; }
+std::string front_page(const CLI::App& app) { return app.help(); }
 
 void add_commands(CLI::App& app, CommandContext& context) {
   app.group("Look");  // the heading in the help
