@@ -217,7 +217,9 @@ def test_help_is_as_wide_as_the_terminal() -> None:
             text += os.read(master, 4096)
         assert process.wait(60) == 0
     os.close(master)
-    shown = text.decode().replace("\r\n", "\n").splitlines()
+    assert b"\x1b[1mOptions:\x1b[0m" in text, "headings are bold"
+    plain_text = re.sub(r"\x1b\[\d+m", "", text.decode())
+    shown = plain_text.replace("\r\n", "\n").splitlines()
     assert shown == lines_of_help(["ports", "--help"], COLUMNS="61")[: len(shown)]
 
 
