@@ -124,6 +124,20 @@ def test_help_of_a_command() -> None:
     assert wrong.status == 2 and "no help for 'gte'; did you mean 'get'?" in wrong.error
 
 
+def test_the_first_commands_without_a_gimbal_work(tmp_path: Path) -> None:
+    readme = (ROOT / "README.md").read_text("utf-8")
+    for text in (run().text, readme):
+        found = re.search(r"sbgc (emulate --link \S+) &.*?sbgc (-p \S+) (?:info|monitor)", text, re.S)
+        assert found
+        with subprocess.Popen(
+            [PROGRAM, *found[1].split()], cwd=tmp_path, stdout=subprocess.PIPE
+        ) as emulator:
+            assert emulator.stdout and emulator.stdout.readline()
+            done = subprocess.run([PROGRAM, *found[2].split(), "info"], cwd=tmp_path, check=False)
+            emulator.terminate()
+        assert done.returncode == 0
+
+
 def test_the_options_of_a_gimbal_are_explained_once() -> None:
     connection = run("help", "connection").text
     for option in ("-p,--port ADDRESS", "--attempt-time TIME", "--password-file FILE", "[gimbal."):

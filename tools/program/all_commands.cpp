@@ -68,7 +68,7 @@ std::string front_page(const CLI::App& app) {
     const CLI::App* const command = app.get_subcommand(line.substr(0, line.find(' ')));
     text += fmt::format("  sbgc {:<20} {}\n", line, command->get_description());
   }
-  text += "\nWithout a gimbal: `sbgc emulate --link gimbal &`, then `sbgc -p gimbal info`\n";
+  text += "\nWithout a gimbal: `sbgc emulate --link ./gimbal &`, then `sbgc -p ./gimbal info`\n";
   text += "\nAll commands:\n";
   for (const auto& [name, _] : headings) {
     std::vector<std::string> names;
