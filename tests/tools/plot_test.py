@@ -66,7 +66,7 @@ def test_a_spectrum_names_the_frequency(late: float) -> None:
     assert re.search(alias, one_line(result.text))
     hertz, amplitude = strongest(result.text)
     assert hertz == pytest.approx(37, abs=0.5) and amplitude == pytest.approx(0.4, rel=0.1)
-    assert re.search(r"0 Hz +112(\.\d)? Hz", result.text), "45 % of the rate"
+    assert re.search(r"0 Hz .* 112(\.\d)? Hz", result.text), "45 % of the rate"
 
 
 @pytest.mark.parametrize("lost, status", [(100, 0), (30, 1)])
@@ -95,9 +95,9 @@ def test_a_curve_in_the_terminal() -> None:
     result = run("plot", "-", "--height", "4", "--ascii", stdin=table([0, 1, 2, 3], rate=1))
     lines = result.text.splitlines()
     assert lines[0] == "gyro [deg/s]"
-    assert [line.split()[0] for line in (lines[1], lines[4])] == ["3", "0"]
-    assert lines[1].endswith("*") and lines[4].split()[1].startswith("*")
-    assert lines[5].split() == ["0", "s", "3", "s"]
+    assert [line.split("+")[0].strip() for line in (lines[1], lines[4])] == ["3", "0"]
+    assert lines[1].endswith("*") and lines[4].split("+")[1].startswith("*")
+    assert re.fullmatch(r" +\+ 0 s -+ 1\.5 s -+ 3 s", lines[5])
     assert any("\u2801" <= c <= "\u28ff" for c in run("plot", "-", stdin=table([0, 1])).text)
 
 
@@ -110,6 +110,8 @@ def test_a_picture(tmp_path: Path) -> None:
     (path,) = picture.iter("{http://www.w3.org/2000/svg}path")
     heights = [float(point.split()[1]) for point in re.split("[ML]", path.attrib["d"])[1:]]
     assert heights[0] == heights[2] == heights[1] + 200
+    hovered = [title.text for title in picture.iter("{http://www.w3.org/2000/svg}title")]
+    assert "1 s: 5" in hovered
 
 
 def test_live() -> None:
@@ -175,7 +177,7 @@ def test_a_single_spike_is_drawn(place: int) -> None:
     values = [0.0] * 2000
     values[place] = 1
     top = run("plot", "-", "--ascii", stdin=table(values)).text.splitlines()[1]
-    assert top.split() == ["1", "*"]
+    assert top.replace("+", " ").split() == ["1", "*"]
 
 
 def columns_of(text: str) -> set[int]:
@@ -190,7 +192,7 @@ def test_a_curve_is_drawn_over_time() -> None:
     )
     text = run("plot", "-", "--ascii", stdin=rows).text
     highest = text.splitlines()[1]
-    assert highest.split() == ["9", "*"] and len(highest) == 79, "at the right end"
+    assert highest.replace("+", " ").split() == ["9", "*"] and len(highest) == 79, "at the right end"
     between = columns_of("\n".join(text.splitlines()[1:-1]))
     assert max(x for x in between if x < 66) < 10, "nothing is known between 4 s and 40 s"
 

@@ -38,6 +38,7 @@ std::string response_svg(const std::vector<NamedResponse>& responses) {
     return point.coherence.value_or(std::numeric_limits<double>::quiet_NaN());
   });
   coherence.values = {0, 1};
+  coherence.mark = 0.9;  // below, noise and friction dominate
   return svg_picture("Frequency response", names, {gain, phase, coherence});
 }
 

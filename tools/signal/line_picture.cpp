@@ -20,13 +20,27 @@ namespace {
 // Distinct also for the color-blind.
 constexpr std::array line_colors{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"};
 
+// A picture follows the colors of its surroundings. A point shows itself, and its values, under the
+// mouse.
+constexpr const char* style =
+    "<style>\n"
+    ":root { color-scheme: light dark; --paper: #fff; --ink: #222; --grid: #ddd; --axis: #888 }\n"
+    "@media (prefers-color-scheme: dark) {\n"
+    "  :root { --paper: #16181d; --ink: #ddd; --grid: #363a42; --axis: #888 }\n"
+    "}\n"
+    ".paper { fill: var(--paper) } text { fill: var(--ink) }\n"
+    ".grid { stroke: var(--grid) } .axis { stroke: var(--axis) }\n"
+    ".mark { stroke: var(--axis); stroke-dasharray: 4 3 }\n"
+    ".points circle { opacity: 0 } .points circle:hover { opacity: 1 }\n"
+    "</style>\n";
+
 // The layout of a picture, in pixels.
 constexpr double picture_width = 800;
 constexpr double plot_left = 70;
 constexpr double plot_right = picture_width - 30;
 constexpr double plot_height = 200;
-constexpr double plot_gap = 50;
-constexpr double plot_top = 30;
+constexpr double plot_gap = 76;
+constexpr double plot_top = 36;
 constexpr double legend_line = 18;
 
 std::string xml_text(std::string_view text) {
@@ -81,9 +95,10 @@ class Picture {
     double top = plot_top + legend_line * static_cast<double>(names_.size());
     const double height = top + (plot_height + plot_gap) * static_cast<double>(plots_.size());
     add("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} "
-        "{1}\" font-family=\"sans-serif\" font-size=\"12\">\n"
-        "<title>{2}</title>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
-        picture_width, height, xml_text(title));
+        "{1}\" font-family=\"sans-serif\" font-size=\"12\" role=\"img\">\n"
+        "<title>{2}</title>\n<desc>{3}</desc>\n{4}<rect width=\"100%\" height=\"100%\" "
+        "class=\"paper\"/>\n",
+        picture_width, height, xml_text(title), xml_text(description()), style);
     for (std::size_t i = 0; i < names_.size(); ++i) add_legend(i);
     for (const LinePlot& plot : plots_) {
       add_plot(plot, top);
@@ -94,6 +109,21 @@ class Picture {
   }
 
  private:
+  /// The picture in words: what each line shows, with its range.
+  std::string description() const {
+    std::string words;
+    for (const LinePlot& plot : plots_) {
+      for (std::size_t i = 0; i < plot.lines.size(); ++i) {
+        AxisRange values;
+        for (const LinePoint& point : plot.lines[i]) values.include(point.y);
+        if (values.low > values.high) continue;
+        words += fmt::format("{}{}{}: {:.4g} to {:.4g}. ", i < names_.size() ? names_[i] : "",
+                             i < names_.size() ? ", " : "", plot.title, values.low, values.high);
+      }
+    }
+    return words;
+  }
+
   template <class... Args>
   void add(fmt::format_string<Args...> format, Args&&... args) {
     fmt::format_to(std::back_inserter(text_), format, std::forward<Args>(args)...);
@@ -129,12 +159,16 @@ class Picture {
     const double lines = std::round((values_.high - values_.low) / step_);
     for (int i = 0; i <= lines; ++i) {
       const double value = values_.low + i * step_;
-      add_grid_line(plot_left, y(value), plot_right, y(value));
+      add_line_of("grid", plot_left, y(value), plot_right, y(value));
       const double shown = std::abs(value) < step_ / 2 ? 0 : value;
       add_text(plot_left - 6, y(value) + 4, "end", fmt::format("{:.4g}", shown));
     }
     add_places(plot);
-    for (std::size_t i = 0; i < plot.lines.size(); ++i) add_line(plot.lines[i], i);
+    add_line_of("axis", plot_left, top, plot_left, top + plot_height);
+    add_line_of("axis", plot_left, top + plot_height, plot_right, top + plot_height);
+    if (values_.low < 0 && values_.high > 0) add_line_of("axis", plot_left, y(0), plot_right, y(0));
+    if (plot.mark) add_line_of("mark", plot_left, y(*plot.mark), plot_right, y(*plot.mark));
+    for (std::size_t i = 0; i < plot.lines.size(); ++i) add_line(plot, i);
   }
 
   /// Prepares x() and y(). The range of values extends to the lines of its grid.
@@ -167,20 +201,24 @@ class Picture {
   }
   double y(double value) const { return top_ + plot_height * (1 - values_.share(value)); }
 
-  void add_grid_line(double x1, double y1, double x2, double y2) {
-    add("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"#ddd\"/>\n", x1, y1,
-        x2, y2);
+  void add_line_of(const char* kind, double x1, double y1, double x2, double y2) {
+    add("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" class=\"{}\"/>\n", x1, y1,
+        x2, y2, kind);
   }
   void add_place(double place, bool is_labeled) {
     if (place < places_.low || place > places_.high) return;
-    add_grid_line(x(place), top_, x(place), top_ + plot_height);
+    add_line_of("grid", x(place), top_, x(place), top_ + plot_height);
     if (is_labeled)
       add_text(x(place), top_ + plot_height + 16, "middle", fmt::format("{:.4g}", place));
   }
 
   /// Lines at round places: for a logarithmic scale, at the digits of each power of ten.
   void add_places(const LinePlot& plot) {
-    add_text(plot_right + 14, top_ + plot_height + 16, "start", plot.x_unit);
+    const std::string_view quantity = plot.x_unit == "Hz"  ? "frequency in "
+                                      : plot.x_unit == "s" ? "time in "
+                                                           : "";
+    add_text((plot_left + plot_right) / 2, top_ + plot_height + 34, "middle",
+             fmt::format("{}{}", quantity, plot.x_unit));
     if (has_log_x_) {
       constexpr int last_labeled = 5;
       for (double power = std::pow(10, std::floor(std::log10(places_.low))); power <= places_.high;
@@ -198,7 +236,8 @@ class Picture {
     for (int i = 0; i <= most_lines; ++i) add_place((first + i) * step, true);
   }
 
-  void add_line(const std::vector<LinePoint>& points, std::size_t line) {
+  void add_line(const LinePlot& plot, std::size_t line) {
+    const std::vector<LinePoint>& points = plot.lines[line];
     std::string path;
     bool is_down = false;
     for (const LinePoint& point : points) {
@@ -211,6 +250,17 @@ class Picture {
     }
     if (path.empty()) return;
     add("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.5\"/>\n", path, color(line));
+    // Enough points to read values under the mouse.
+    constexpr std::size_t most_points = 200;
+    const std::size_t step = points.size() / most_points + 1;
+    add("<g class=\"points\" fill=\"{}\">\n", color(line));
+    for (std::size_t i = 0; i < points.size(); i += step) {
+      const LinePoint& point = points[i];
+      if (!is_drawable(point.x) || !is_drawable(point.y)) continue;
+      add("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"5\"><title>{:.4g} {}: {:.4g}</title></circle>\n",
+          x(point.x), y(point.y), point.x, xml_text(plot.x_unit), point.y);
+    }
+    add("</g>\n");
   }
 
   const std::vector<std::string>& names_;

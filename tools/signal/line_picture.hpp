@@ -22,6 +22,7 @@ struct LinePlot {
   bool has_log_x{};                    ///< x is above 0
   bool shows_angles{};                 ///< in degrees, with a grid of whole parts of a turn
   std::optional<ValueRange> values{};  ///< that the plot shows; else those of its lines
+  std::optional<double> mark{};        ///< a value with a dashed line
 };
 
 /// Draws the plots below each other. The names are those of the lines, which have the same color in

@@ -277,6 +277,13 @@ std::string vibration_unit(const LiveValues& values, bool is_wide) {
                      values.fastest_vibration);
 }
 
+/// The time that a chart of this width shows, such as "last 8 s".
+std::string span_of(const GimbalSnapshot& gimbal, const Screen& screen, std::size_t width) {
+  if (!(gimbal.rate > 0)) return "";
+  const std::size_t dots = width * (style_of(screen) == ChartStyle::braille ? 2 : 1);
+  return fmt::format("last {:.0f} s", static_cast<double>(dots) / gimbal.rate);
+}
+
 void draw_overview(Screen& screen, const View& view, const GimbalSnapshot& gimbal) {
   const LiveValues& values = gimbal.values;
   const std::size_t end = end_row(screen);
@@ -315,7 +322,13 @@ void draw_overview(Screen& screen, const View& view, const GimbalSnapshot& gimba
       screen.put(row + height - 1, 8, fmt::format("{:>9.2f}", relative(view, range.low, axis)),
                  Style::dim);
     }
-    for (const std::string& chart_line : lines) screen.put(row++, 19, chart_line, Style::accent);
+    if (height > 2)
+      screen.put(row + 1, 2, span_of(gimbal, screen, screen.width() - 22), Style::dim);
+    const bool is_ascii = style_of(screen) == ChartStyle::ascii;
+    for (const std::string& chart_line : lines) {
+      screen.put(row, 18, is_ascii ? "|" : "│", Style::dim);
+      screen.put(row++, 19, chart_line, Style::accent);
+    }
   }
 }
 
@@ -363,8 +376,9 @@ Window draw_charts(Screen& screen, View& view, const GimbalSnapshot& gimbal) {
     const std::string now = number(last, 2, chart.unit);
     screen.put(top, left + behind_name, now, Style::accent);
     const int decimals = range.high - range.low < 10 ? 2 : 0;
-    const std::string text =
-        fmt::format("{:.{}f} to {:.{}f}", range.low, decimals, range.high, decimals);
+    std::string text = fmt::format("{:.{}f} to {:.{}f}", range.low, decimals, range.high, decimals);
+    const std::string span = ", " + span_of(gimbal, screen, width - 3);
+    if (behind_name + now.size() + text.size() + span.size() + 4 <= width) text += span;
     if (behind_name + now.size() + text.size() + 4 <= width) {
       screen.put(top, left + width - text.size() - 3, text, Style::dim);
     }

@@ -130,8 +130,42 @@ std::vector<LinePoint> thinned(const Curve& curve, std::size_t parts) {
   return result;
 }
 
+namespace {
+
+/// What axes are drawn with.
+struct AxisSigns {
+  const char* line;
+  const char* tick;
+  const char* corner;
+  const char* along;
+};
+
+/// The axis below a chart: its first, middle and last place, as far as there is room.
+std::string axis_of_places(const Curve& curve, std::size_t width, const char* along) {
+  const auto text_at = [&](double place) { return " " + short_number(place) + " " + curve.x_unit; };
+  const double begin = curve.places.front();
+  const double end = curve.places.back();
+  const std::string first = text_at(begin) + " ";
+  const std::string last = text_at(end);
+  std::string middle = text_at(begin + (end - begin) / 2) + " ";
+  if (width < first.size() + middle.size() + last.size() + 4) middle.clear();
+  const std::size_t ends = first.size() + middle.size() + last.size();
+  const std::size_t rest = width > ends ? width - ends : 0;
+  const std::size_t left = middle.empty() ? rest : (width - middle.size()) / 2 - first.size();
+  std::string text = first;
+  for (std::size_t i = 0; i < rest; ++i) {
+    if (i == left) text += middle;
+    text += along;
+  }
+  return text + last;
+}
+
+}  // namespace
+
 std::string draw_text(const std::vector<Curve>& curves, std::size_t width, std::size_t height,
                       ChartStyle style) {
+  const AxisSigns signs =
+      style == ChartStyle::braille ? AxisSigns{"│", "┤", "└", "─"} : AxisSigns{"|", "+", "+", "-"};
   constexpr std::size_t label = 10;
   // Even, because each two dots show the lowest and the highest value.
   const std::size_t chart = width > label + 2 ? (width - label - 1) / 2 * 2 : 2;
@@ -154,12 +188,11 @@ std::string draw_text(const std::vector<Curve>& curves, std::size_t width, std::
       } else if (i + 1 == lines.size()) {
         at_left = short_number(range.low);
       }
-      text += fmt::format("{:>{}} {}\n", at_left, label, lines[i]);
+      const char* const axis = at_left.empty() ? signs.line : signs.tick;
+      text += fmt::format("{:>{}}{}{}\n", at_left, label, axis, lines[i]);
     }
-    const std::string first = short_number(curve.places.front()) + " " + curve.x_unit;
-    const std::string last = short_number(curve.places.back()) + " " + curve.x_unit;
-    const std::size_t space = chart > first.size() + last.size() ? chart - first.size() : 0;
-    text += fmt::format("{:{}}{}{:>{}}\n", "", label + 1, first, last, space);
+    text += fmt::format("{:{}}{}{}\n", "", label, signs.corner,
+                        axis_of_places(curve, chart, signs.along));
   }
   return text;
 }
