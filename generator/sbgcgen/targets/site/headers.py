@@ -8,6 +8,7 @@ import tempfile
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from textwrap import dedent
 from xml.etree.ElementTree import Element, parse
 
 from markupsafe import Markup, escape
@@ -30,12 +31,15 @@ class Item:
     code: Markup
     text: Markup
     members: tuple[Item, ...] = ()
-    # Links to the members of its bases, by the names of these.
-    inherited: tuple[tuple[str, tuple[Markup, ...]], ...] = ()
+    # The members of its bases, by the names of these.
+    inherited: tuple[tuple[str, tuple[Item, ...]], ...] = ()
+    line: int = 0
+    # From the root of the site, with the anchor.
+    page: str = ""
 
     @property
     def sentence(self) -> str:
-        return _first_sentence(self.text.striptags())
+        return _first_sentence(Markup(str(self.text).replace("</p>", "</p> ")).striptags())
 
 
 @dataclass(frozen=True)
@@ -44,7 +48,9 @@ class Header:
 
     include: str
     component: str
+    lead: Markup
     text: Markup
+    lines: tuple[str, ...]
     items: tuple[Item, ...]
     includes: tuple[str, ...]
 
@@ -61,8 +67,12 @@ class Header:
         return f"headers/{self.word}.html"
 
     @property
+    def source(self) -> str:
+        return f"source/{self.word}.html"
+
+    @property
     def sentence(self) -> str:
-        return _first_sentence(self.text.striptags())
+        return _first_sentence(self.lead.striptags())
 
 
 def headers_of(project: Path, layout: Layout) -> list[Header]:
@@ -110,7 +120,7 @@ def _link(page: str, text: str) -> Markup:
 
 
 def _first_sentence(text: str) -> str:
-    return re.split(r"(?<=\.)\s", " ".join(text.split()), maxsplit=1)[0]
+    return re.split(r"(?<=\.)(?<!e\.g\.)\s", " ".join(text.split()), maxsplit=1)[0]
 
 
 def _text_of(element: Element, tag: str) -> str:
@@ -135,6 +145,21 @@ class _Reader:
         self.pages: dict[str, str] = {}  # by the id of Doxygen
         self.compounds = {compound.get("id"): compound for compound in compounds}
         self.types = _types(layout)
+        self.includes = {"sbgc/client/calls.hpp": "messages.html"}
+        for path in self.files:
+            include = path.partition("/include/")[2]
+            self.includes[include] = f"headers/{include[5:].removesuffix('.hpp')}.html"
+            self.pages[self.files[path].get("id", "")] = self.includes[include]
+        for family in layout.families:
+            self.includes[f"sbgc/messages/{family.name}.hpp"] = f"families/{family.name}.html"
+        # The functions of namespaces by their last name and their own.
+        self.functions = {
+            (_text_of(compound, "compoundname").rpartition("::")[2], _text_of(member, "name")): member
+            for compound in compounds
+            if compound.get("kind") == "namespace"
+            for member in compound.iter("memberdef")
+            if member.get("kind") == "function" and self._description_parts(member)
+        }
 
     @staticmethod
     def _public(compounds: list[Element]) -> Iterator[Element]:
@@ -185,17 +210,27 @@ class _Reader:
 
     def _header(self, path: str) -> Header:
         component, _, include = path.partition("/include/")
-        lines = (self.project / path).read_text(encoding="utf-8").splitlines()
-        about = []
-        for line in lines:
-            if not line.startswith("///"):
-                break
-            about.append(line.removeprefix("///").strip())
+        text = (self.project / path).read_text(encoding="utf-8")
+        about = re.match(r"(?:///.*\n)*", text)
+        assert about is not None
+        lead, *more = re.split(r"\n\s*\n", re.sub(r"^/// ?", "", about[0], flags=re.MULTILINE))
         others = tuple(name.text or "" for name in self.files[path].findall("includes"))
-        words = str(self._words(" ".join(about)))
-        text = Markup(re.sub(r"`([^`]+)`", r"<code>\1</code>", words))
         items = tuple(self._items(self.declared[path]))
-        return Header(include, Path(component).name, text, items, others)
+        after = Markup().join(map(self._paragraph, more))
+        library, lines = Path(component).name, tuple(text.splitlines())
+        return Header(include, library, self._inline(lead), after, lines, items, others)
+
+    def _inline(self, text: str) -> Markup:
+        return Markup(re.sub(r"`([^`]+)`", r"<code>\1</code>", str(self._words(text))))
+
+    def _paragraph(self, text: str) -> Markup:
+        """A paragraph of the comment of a header: code, a list or prose."""
+        if text.startswith("    "):
+            return Markup('<pre tabindex="0"><code>{}</code></pre>').format(dedent(text).rstrip())
+        start, *entries = re.split(r"^- ", text, flags=re.MULTILINE)
+        points = Markup().join(Markup("<li>{}</li>").format(self._inline(e)) for e in entries)
+        prose = Markup("<p>{}</p>").format(self._inline(start)) if start.strip() else Markup()
+        return prose + (Markup("<ul>{}</ul>").format(points) if entries else "")
 
     def _name(self, element: Element) -> str:
         name = element.findtext("name") or element.findtext("compoundname") or ""
@@ -211,22 +246,36 @@ class _Reader:
         return list(found.values())
 
     def _item(self, element: Element) -> Item:
-        members = tuple(self._items(self._members(element)))
-        anchor = self.pages[element.get("id", "")].partition("#")[2]
+        members = tuple(self._members_of(element))
+        page = self.pages[element.get("id", "")]
         code, text = self._code(element), self._description(element)
         kind = element.get("kind", "")
         kind = {"typedef": "alias", "variable": "constant", "define": "macro"}.get(kind, kind)
         inherited = tuple(self._inherited(element))
-        return Item(kind, self._name(element), anchor, code, text, members, inherited)
+        name, anchor = self._name(element), page.partition("#")[2]
+        line = 0 if element.tag == "enumvalue" else _location(element)[1]
+        return Item(kind, name, anchor, code, text, members, inherited, line, page)
 
-    def _inherited(self, element: Element) -> Iterator[tuple[str, tuple[Markup, ...]]]:
+    def _inherited(self, element: Element) -> Iterator[tuple[str, tuple[Item, ...]]]:
         for reference in element.findall("basecompoundref"):
             base = self.compounds.get(reference.get("refid"))
             if base is not None and base.get("id") in self.pages:
-                names = {
-                    _text_of(m, "name"): self.pages[m.get("id", "")] for m in self._members(base)
-                }
-                yield self._name(base), tuple(_link(page, name) for name, page in names.items())
+                yield self._name(base), tuple(self._members_of(base))
+
+    def _members_of(self, element: Element) -> Iterator[Item]:
+        """Members as items. One without a description does what a function of its name does, in the
+        namespace that the description of its class names: tasks::move_to().
+        """
+        spaces = re.findall(r"\b(\w+)::", self._description(element).striptags())
+        for item in self._items(self._members(element)):
+            twins = (self.functions.get((space, item.name)) for space in spaces)
+            twin = None if item.text else next((t for t in twins if t is not None), None)
+            if twin is not None:
+                note = Markup("<p>See {}.</p>").format(
+                    _link(self.pages[twin.get("id", "")], f"{twin.findtext('name')}()")
+                )
+                item = replace(item, text=self._description(twin) + note)
+            yield item
 
     def _members(self, element: Element) -> list[Element]:
         """The public members in the order of the source: not what the compiler makes."""
@@ -252,7 +301,7 @@ class _Reader:
         if element.tag == "enumvalue":
             return Markup(escape(f"{name} {_text_of(element, 'initializer')}".rstrip()))
         if kind in ("class", "struct"):
-            bases = [self._linked(base) for base in element.findall("basecompoundref")]
+            bases = [self._base(base) for base in element.findall("basecompoundref")]
             derived = Markup(" : ") + Markup(", ").join(bases) if bases else Markup()
             return template + Markup(f"{kind} {name}") + derived
         if kind == "concept":
@@ -266,13 +315,19 @@ class _Reader:
             return Markup("enum class {}").format(name) + (Markup(" : ") + type_ if type_ else "")
         start = template + (Markup("{} {}").format(type_, name) if type_ else escape(name))
         if element.get("static") == "yes":
-            start = Markup("static ") + start
+            start = template + Markup("static ") + Markup(str(start).removeprefix(str(template)))
         if kind == "variable":
-            value = _text_of(element, "initializer")
+            found = element.find("initializer")
+            value = "" if found is None else " ".join("".join(found.itertext()).split())
             if value in ("", "{}") or value[:2] == "{{" or len(value) > 50:
                 return start
             return start + escape(value if value[0] == "{" else f" {value}")
         return start + self._arguments(element, len(start.striptags()))
+
+    def _base(self, element: Element) -> Markup:
+        text = re.sub(r"sbgc::|(?<=<) | (?=>)", "", element.text or "")
+        page = self.pages.get(element.get("refid", ""))
+        return _link(page, text) if page else escape(text)
 
     def _template(self, element: Element) -> Markup:
         found = element.find("templateparamlist")
@@ -316,15 +371,18 @@ class _Reader:
         return Markup(plain.strip())
 
     def _words(self, text: str) -> Markup:
-        """Text with links to messages and types of the protocol, and to guides."""
+        """Text with links to messages and types of the protocol, to headers and to guides."""
 
         def link(match: re.Match[str]) -> Markup:
-            page = f"guides/{match[2]}.html" if match[2] else self.types.get(match[1])
+            if match[2]:
+                return _link(f"guides/{match[2]}.html", match[2].replace("-", " "))
+            page = self.types.get(match[1]) if match[1] else self.includes.get(match[3])
             return _link(page, match[0]) if page else escape(match[0])
 
         parts, end = Markup(), 0
         text = re.sub(r"\s+", " ", text)
-        for match in re.finditer(r"\bmsg::(\w+)|docs/[0-9]+-([\w-]+)\.md", text):
+        names = r"\bmsg::(\w+)|docs/[0-9]+-([\w-]+)\.md|<?(sbgc/[\w/]+\.hpp)>?"
+        for match in re.finditer(names, text):
             parts += escape(text[end : match.start()]) + link(match)
             end = match.end()
         return parts + escape(text[end:])
@@ -338,9 +396,12 @@ class _Reader:
     # Descriptions
 
     def _description(self, element: Element) -> Markup:
+        return Markup(Markup().join(map(self._block, self._description_parts(element))).strip())
+
+    @staticmethod
+    def _description_parts(element: Element) -> list[Element]:
         parts = (element.find(tag) for tag in ("briefdescription", "detaileddescription"))
-        blocks = (self._block(part) for part in parts if part is not None)
-        return Markup(Markup().join(blocks).strip())
+        return [part for part in parts if part is not None and part.find("para") is not None]
 
     def _block(self, element: Element) -> Markup:
         """The contents of an element. Fails if one is unknown, so that nothing is lost."""

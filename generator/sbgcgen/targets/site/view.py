@@ -6,7 +6,9 @@ import re
 from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cache
+from functools import cache, partial
+from html import unescape
+from itertools import chain
 from pathlib import Path
 from typing import Any
 from urllib.parse import quote
@@ -76,6 +78,7 @@ def view_of(site: Target, layout: Layout, project: Path) -> View:
     each: dict[str, Items] = {
         "guide": [(guide.name, guide) for guide in guides],
         "header": [(header.word, header) for header in headers],
+        "source": [(header.word, header) for header in headers],
         "headers": [("headers", headers)] if headers else [],
         "reference": [(reference.word, reference) for reference in references],
         "release": [(release.text, release) for release in history.releases],
@@ -110,9 +113,18 @@ def view_of(site: Target, layout: Layout, project: Path) -> View:
     }
     tests: dict[str, Callable[..., bool]] = {
         "mentions": lambda guide, word: str(word) in guide.html,
+        "containing": lambda names, name: name in names,
         "an_enum_or_flags": lambda type_: isinstance(type_, Enum),
     }
-    return View(names=names, filters=_filters(layout, headers), tests=tests, each=each)
+    filters = _filters(layout, headers) | {"example_in_guides": partial(_example_in, guides)}
+    return View(names=names, filters=filters, tests=tests, each=each)
+
+
+def _example_in(guides: list[Guide], include: str) -> str:
+    """The shortest program in the guides that includes a header; "" if there is none."""
+    blocks = (re.findall(r'<code class="language-cpp">(.*?)</code>', g.html, re.S) for g in guides)
+    programs = [unescape(block) for block in chain.from_iterable(blocks)]
+    return min((p for p in programs if f"#include <{include}>" in p), key=len, default="")
 
 
 def _filters(layout: Layout, headers: list[Header]) -> dict[str, Callable[..., Any]]:
