@@ -21,7 +21,7 @@ constexpr std::chrono::seconds barrier_patience{10};
 /// Refusals that are answered: garbage must not keep the disk busy.
 constexpr double refusals_per_second = 50;
 constexpr int most_refusals_at_once = 500;
-/// What may wait for the disk. A flood of garbage must not fill it while a commit runs.
+/// The limits of the queue for the disk. A flood of garbage must not fill it while a commit runs.
 constexpr std::size_t most_received = 10'000;
 constexpr std::size_t most_received_bytes = std::size_t{8} << 20U;
 

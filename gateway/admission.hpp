@@ -68,7 +68,8 @@ class Admission {
 
   // On the thread of the connection, which never waits for the journal.
 
-  /// What has arrived. Stops go to their gimbals at once, the rest waits for settle().
+  /// Takes the messages that have arrived. Stops go to their gimbals at once, the rest waits for
+  /// settle().
   void take(std::vector<MqttMessage> messages);
   /// True if nothing of what has arrived waits for the disk.
   bool is_settled() const;
@@ -142,7 +143,7 @@ class Admission {
   MqttConnection& mqtt_;
   std::atomic<bool> is_closing_{false};
 
-  // Of the thread of the connection:
+  // For the thread of the connection:
   std::array<SubscriptionBarrier, 2> barriers_;  // of cmd and raw
   std::optional<MqttConnection::Clock::time_point> barred_{};
   std::chrono::system_clock::time_point connected_at_{};

@@ -37,7 +37,7 @@
 
 namespace sbgc::tools {
 
-/// What a broker can command, as in `…/cmd/<task>`; `raw` is `…/raw`.
+/// The commands of a broker, as in `…/cmd/<task>`; `raw` is `…/raw`.
 inline constexpr std::array<std::string_view, 10> gateway_tasks{
     "stop", "move", "speed", "motors", "home", "menu", "calibrate", "get", "set", "raw"};
 

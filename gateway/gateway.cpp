@@ -81,7 +81,7 @@ int serve_fleet(Io& io, const Fleet& fleet, const std::vector<std::unique_ptr<Gi
   if (broker) broker->close();
   for (const auto& gimbal : gimbals) gimbal->close();
   io.finish();  // what still completes uses the broker and the gimbals
-  // Which gateway it should be, people decide, not a service manager that starts this one again.
+  // People must choose a gateway, not a service manager that starts this one again.
   if (broker && broker->has_duplicate()) return wrong_usage;
   return broker && (!broker->failure().empty() || broker->has_left_moving()) ? failure : success;
 }

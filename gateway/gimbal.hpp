@@ -68,7 +68,7 @@ struct GimbalStatus {
   bool operator==(const GimbalStatus&) const = default;
 };
 
-/// What a gimbal has counted since the start, over all connections.
+/// Counters of a gimbal since the start, over all connections.
 struct GimbalCounters {
   ClientStatistics line{};                              ///< without StreamUsage
   std::map<std::string, std::uint64_t> telemetry{};     ///< messages by name
@@ -78,7 +78,7 @@ struct GimbalCounters {
 /// The kind of an event: the board has restarted.
 inline constexpr const char* board_reset_event = "board_reset";
 
-/// What has happened to a gimbal outside of telemetry and commands.
+/// An event of a gimbal outside of telemetry and commands.
 struct GimbalEvent {
   std::string kind{};                  ///< such as "board_error", "board_reset", "event"
   std::string message{};               ///< for people

@@ -25,7 +25,7 @@ class GimbalStops {
   using Then = std::function<void(const Result<void>&)>;
 
   struct Hooks {
-    /// What must live as long as something runs.
+    /// The object that must live as long as something runs.
     std::function<std::shared_ptr<void>()> owner{};
     /// Reports the kind of an event, and a sentence.
     std::function<void(const std::string& kind, const std::string& message)> notify{};

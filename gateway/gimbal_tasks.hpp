@@ -23,7 +23,7 @@
 
 namespace sbgc::tools {
 
-/// How a command has ended.
+/// The end of a command.
 struct TaskOutcome {
   std::string status{"done"};  ///< done, failed, refused or unknown
   std::string code{};          ///< of an error, for programs

@@ -1,4 +1,4 @@
-/// What a gateway must not forget when it is killed, in a file of SQLite.
+/// The memory of a gateway that survives a kill, in a file of SQLite.
 ///
 /// A command is on the disk before its first byte is sent. Results and events are on the disk until
 /// the broker has acknowledged them. A commit is synced (WAL, synchronous=FULL), so it also
@@ -20,7 +20,7 @@ struct sqlite3;
 
 namespace sbgc::tools {
 
-/// Where the result of a command goes.
+/// The destination of the result of a command.
 struct ReplyAddress {
   std::string topic{};
   std::string correlation{};  ///< any bytes

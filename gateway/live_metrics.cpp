@@ -36,7 +36,7 @@ constexpr std::array base_units{
     BaseUnit{"Hz", "hertz", 1},
 };
 
-/// What becomes of the unit of a field: the end of the name of its metric, and a factor.
+/// The conversion of the unit of a field: the end of the name of its metric, and a factor.
 std::pair<std::string, double> base_unit_of(const UnitInfo* unit) {
   if (unit == nullptr || *unit->name == '\0') return {"", 1};
   for (const BaseUnit& base : base_units) {

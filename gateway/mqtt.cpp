@@ -34,7 +34,7 @@ constexpr milliseconds first_mqtt_pause{250};
 constexpr milliseconds longest_mqtt_pause{4'000};
 /// The largest packet id; the next is 1.
 constexpr int last_mqtt_id = 65'535;
-/// What one batch of messages may hold.
+/// The limits of one batch of messages.
 constexpr std::size_t most_arrived_bytes = std::size_t{1} << 20U;
 /// The largest packet to us, with MQTT 5: the payload, a topic and properties.
 constexpr std::uint32_t longest_packet = 2 * longest_payload;

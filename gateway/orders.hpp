@@ -1,4 +1,4 @@
-/// What a command of the broker asks for, with parameters that are checked before anything is sent.
+/// A command of the broker, whose parameters are checked before anything is sent.
 #pragma once
 
 #include <chrono>

@@ -1,4 +1,4 @@
-/// What goes to the broker: results and events wait on the disk until it has acknowledged them,
+/// The messages to the broker: results and events wait on the disk until it has acknowledged them,
 /// states and samples in memory until newer ones replace them.
 #pragma once
 
@@ -147,7 +147,7 @@ class Outbox {
   std::atomic<std::uint64_t> ignored_{0};
   std::atomic<std::size_t> running_{0};
 
-  // Of the thread of the connection:
+  // For the thread of the connection:
   std::unordered_map<int, std::int64_t> on_the_way_{};  // messages of the journal by their MQTT id
   std::set<std::string> refusals_{};                    // of this connection, that were told
   std::optional<int> heartbeat_{};

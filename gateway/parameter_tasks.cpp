@@ -35,7 +35,7 @@ void add_shown(Json& list, const FoundParameters& found, const Parameters& block
   }
 }
 
-/// Which of the copies of a block a name means: blocks that profiles share have one.
+/// The copies of a block that a name means: blocks that profiles share have one.
 std::uint8_t copy_of(const FoundParameters& one, std::uint8_t profile) {
   return one.message->copies == 1 ? std::uint8_t{0} : profile;
 }

@@ -42,7 +42,7 @@ std::string text_member(const Json& value, const std::string& name, std::size_t 
 
 CommandPayload::Time time_member(const Json& value, const std::string& name) {
   using std::chrono::milliseconds;
-  // What the clock can hold.
+  // The range of the clock.
   constexpr std::int64_t most =
       std::chrono::duration_cast<milliseconds>(CommandPayload::Time::duration::max()).count();
   if (!value.is_number_integer() || value < 0 || value > most) {

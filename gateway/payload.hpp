@@ -45,7 +45,7 @@ class Refusal : public std::runtime_error {
   const char* code_;
 };
 
-/// Where a command is published.
+/// The topic of a command.
 struct CommandTopic {
   std::string gimbal{};
   std::string task{};  ///< `raw` for the topic of that name
@@ -67,7 +67,7 @@ class Topics {
   std::string root_;
 };
 
-/// What a payload says besides the task.
+/// The members of a payload besides the task.
 struct CommandPayload {
   using Time = std::chrono::system_clock::time_point;
 

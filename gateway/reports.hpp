@@ -26,7 +26,7 @@ std::string sample_text(const AnyMessage& message, std::chrono::system_clock::ti
 
 std::string event_text(const GimbalEvent& event, std::chrono::system_clock::time_point time);
 
-/// What all results have; those of a command with a key are kept without the address.
+/// The common members of results; those of a command with a key are kept without the address.
 Json result_json(const std::string& gimbal, const std::string& task, const std::string& key,
                  const TaskOutcome& outcome);
 

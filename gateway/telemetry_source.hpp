@@ -1,4 +1,4 @@
-/// How the messages of one type come from a gimbal at a rate.
+/// Telemetry: messages of one type from a gimbal at a rate.
 #pragma once
 
 #include <chrono>

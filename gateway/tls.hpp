@@ -1,4 +1,4 @@
-/// What is wrong with TLS, in words. The library of MQTT reads the files, connects and verifies.
+/// Errors of TLS, in words. The library of MQTT reads the files, connects and verifies.
 #pragma once
 
 #include <filesystem>
@@ -15,7 +15,7 @@ void require_authorities(const std::filesystem::path& file);
 void require_certificate(const std::filesystem::path& file);
 void require_key(const std::filesystem::path& file, const std::filesystem::path& certificate);
 
-/// What the library has logged of an attempt to connect.
+/// The log of the library about an attempt to connect.
 class TlsLog {
  public:
   /// `verified` is what OpenSSL says of the certificate of the broker meanwhile.

@@ -33,7 +33,7 @@ ROOT = Path(__file__).resolve().parents[1]
 # For every Python: only the extension differs.
 BUILD = ROOT / "build" / "wheel"
 EXTENSION = f"_core{sysconfig.get_config_var('EXT_SUFFIX')}"
-# What the package is built from.
+# The sources of the package.
 SOURCES = [
     *("CMakeLists.txt", "LICENSE", "README.md", "pyproject.toml", "runtime", "emulator"),
     *("generated/include", "generated/python", "python"),

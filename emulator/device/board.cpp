@@ -288,7 +288,7 @@ class Board::Core {
   }
 
   Instant clock_;
-  // Of each port
+  // For each port
   std::array<Instant, max_ports> request_times_{};  ///< when the next request is executed
   std::array<Instant, max_ports> free_times_{};     ///< when the next one may be executed
   std::array<Instant, max_ports> idle_times_{};     ///< when a partial frame is dropped

@@ -1,4 +1,4 @@
-/// What a board and its firmware have, by its options.
+/// The features of a board and its firmware, by its options.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-/// How an axis responds to a stimulus: the system of which CMD_BODE_TEST_START_STOP records the
+/// The response of an axis to a stimulus: the system of which CMD_BODE_TEST_START_STOP records the
 /// response.
 #pragma once
 

@@ -58,8 +58,8 @@ class Imu {
   /// The share of the error that is corrected per second; decreases with `gyro_trust`.
   static double correction(double gyro_trust);
   Vector drift() const;
-  /// How fast the drift changes the angles. Assumption: the drift about the body axes acts on roll
-  /// and pitch directly, which is exact if the camera is level.
+  /// The speed at which the drift changes the angles. Assumption: the drift about the body axes
+  /// acts on roll and pitch directly, which is exact if the camera is level.
   Axes<double> rates(const Pose& pose) const;
   double reference(std::size_t axis, std::int64_t step) const;
 

@@ -86,7 +86,7 @@ class Edit:
     """Changes of a profile, which are written at the end."""
 
     def __init__(self, read: _core.Blocks, index: int) -> None:
-        # What the board has once is read with every profile.
+        # Data that the board has once are read with every profile.
         kept = {name for name, copy, _ in read if copy == index}
         blocks = [block for block in read if block[1] == index or block[0] not in kept]
         self._before = [message.copy() for _, _, message in blocks]

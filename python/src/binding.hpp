@@ -1,4 +1,4 @@
-/// What the parts of the extension share.
+/// Shared code of the parts of the extension.
 #pragma once
 
 #include <cstdint>

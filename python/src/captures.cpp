@@ -102,7 +102,7 @@ class CaptureReader {
     io::detail::ArrivalTimes arrivals{};
     ParserCounters total{};
   };
-  /// What frames of one id and size are.
+  /// The type of frames of one id and size.
   struct Form {
     bool is_known = false;  // false again if a request decides for each
     Kind* kind = nullptr;   // null if they do not decode

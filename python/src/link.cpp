@@ -167,7 +167,7 @@ void Link::close(Instant until) {
   }
   if (!state_->client) return;
   state_->client->close();
-  // What the board hears last; otherwise, the thread sees to it.
+  // The last command to the board; otherwise, the thread sends it.
   if (state_->time) state_->time->run([] { return false; }, now() + milliseconds(250));
 }
 

@@ -105,7 +105,7 @@ class Link : public std::enable_shared_from_this<Link> {
   bool is_still() const;
   /// Does both, and waits in between, at most until then.
   void close(Instant until);
-  /// What has happened to the connection since the last call, retries included: a name and a
+  /// The changes of the connection since the last call, with retries: a name and a
   /// sentence.
   using Events = std::vector<std::pair<std::string, std::string>>;
   Events take_events();

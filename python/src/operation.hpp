@@ -1,4 +1,4 @@
-/// What takes time: it runs on the thread of its client, and Python waits for it.
+/// An operation that takes time: it runs on the thread of its client, and Python waits for it.
 #pragma once
 
 #include <cmath>

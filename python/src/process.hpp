@@ -1,4 +1,4 @@
-/// What must not be used in a forked child.
+/// Objects that must not be used in a forked child.
 #pragma once
 
 #include <string>

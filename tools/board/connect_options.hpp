@@ -1,4 +1,4 @@
-/// What the options of a gimbal mean for the library.
+/// Converts the options of a gimbal to those of the library.
 #pragma once
 
 #include <sbgc/client/options.hpp>

@@ -18,7 +18,7 @@ namespace sbgc::tools {
 /// Returns a transport to use in place of the one that was opened.
 using Wrap = std::function<std::unique_ptr<io::Transport>(std::unique_ptr<io::Transport>)>;
 
-/// Where and how to connect.
+/// The address and the options of a connection.
 struct LineChoice {
   std::string address{};
   ConnectOptions options{};

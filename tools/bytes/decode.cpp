@@ -65,7 +65,7 @@ struct TimeRange {
   bool has(std::chrono::microseconds time) const { return time >= from && time <= to; }
 };
 
-/// What the options mean.
+/// The meaning of the options.
 struct DecodePlan {
   std::optional<Direction> direction{};
   TimeRange times{};

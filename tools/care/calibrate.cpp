@@ -136,7 +136,7 @@ Chosen choose(const Calibration& calibration, const CalibrateOptions& options) {
   }
 }
 
-/// What the user has to know before it begins.
+/// The information for the user before it begins.
 std::string sentences(const Chosen& chosen) {
   const MessageInfo& info = *chosen.form->info;
   std::string text = fmt::format("{} {}", info.summary, effect_text(chosen.effects));
@@ -151,7 +151,7 @@ std::string progress_text(const CalibrationProgress& progress) {
                      progress.state->progress.percent());
 }
 
-/// What has to be true before the calibration begins.
+/// The conditions before the calibration begins.
 ReadinessAtTerminal::Options readiness_of(const CalibrateOptions& command, const Chosen& chosen) {
   ReadinessAtTerminal::Options options{
       .conditions = chosen.conditions,

@@ -1,4 +1,4 @@
-/// What a command line consists of, as the help, the manual and the completion need it.
+/// The parts of a command line, for the help, the manual and the completion.
 #pragma once
 
 #include <string>

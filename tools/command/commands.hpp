@@ -11,7 +11,7 @@
 
 namespace sbgc::tools {
 
-/// What the subcommands share.
+/// Shared state of the subcommands.
 struct CommandContext {
   int status = success;
   GimbalOptions gimbal{};

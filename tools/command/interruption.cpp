@@ -28,7 +28,7 @@ constexpr unsigned last_words = 5;
 /// Signals that come sooner are one press of Ctrl-C, or have another sender.
 constexpr std::int64_t least_between_keys = 500;
 
-/// What must be finished.
+/// The work that must be finished.
 struct Duty {
   unsigned bound{};  // seconds
   std::string undone{};

@@ -1,4 +1,4 @@
-/// What the command needs of the operating system besides the C++ library.
+/// The functions of the operating system that the command needs besides the C++ library.
 #pragma once
 
 #include <cstddef>

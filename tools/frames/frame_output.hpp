@@ -16,7 +16,7 @@
 
 namespace sbgc::tools {
 
-/// What to print, and how.
+/// The frames to print, and their format.
 struct FrameOutputOptions {
   OutputFormat format = OutputFormat::text;
   bool real = false;                       ///< JSON lines also have the values in their units

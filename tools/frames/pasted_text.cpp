@@ -35,7 +35,7 @@ std::string_view text_of(std::span<const std::uint8_t> bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-/// How well a reading explains a text: the more the better.
+/// The score of a reading of a text: the more the better.
 struct Score {
   std::uint64_t in_frames = 0;
   bool is_all_frames = false;
@@ -57,7 +57,7 @@ Score score_of(std::span<const std::uint8_t> bytes) {
           !bytes.empty() && AllFrameFormats::is_start(bytes.front())};
 }
 
-/// What a reading makes of a text.
+/// The result of a reading of a text.
 struct Attempt {
   Reading reading{};
   Bytes bytes{};

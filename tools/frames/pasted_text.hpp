@@ -17,7 +17,7 @@
 
 namespace sbgc::tools {
 
-/// How bytes are written.
+/// The notation of bytes.
 enum class Notation : std::uint8_t {
   hex,
   decimal,
@@ -32,7 +32,7 @@ enum class Notation : std::uint8_t {
   table,
 };
 
-/// How a text is read.
+/// A way to read a text.
 struct Reading {
   Notation notation{};
   /// Times, senders and names come before the bytes of a line, or comments and prose are between

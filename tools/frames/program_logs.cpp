@@ -107,7 +107,7 @@ std::optional<LineProblem> read_strace(std::string_view line, Bytes& out,
   for (const auto& [name, direction] : calls) {
     std::size_t at = find_call(line, name);
     if (at == std::string_view::npos) continue;
-    // What the call has transferred: "= 5"; nothing if it has failed.
+    // The bytes that the call has transferred: "= 5"; nothing if it has failed.
     const std::size_t equals = line.rfind(") = ");
     const bool is_done = equals != std::string_view::npos && equals >= at;
     if (is_done && !has(line, equals + 4, decimal_digits)) return {};

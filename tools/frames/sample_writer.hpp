@@ -21,7 +21,7 @@ enum class OutputFormat : unsigned char {
 /// A value of --format.
 OutputFormat format_named(std::string_view name);
 
-/// What the first column of a table in CSV is.
+/// The first column of a table in CSV.
 enum class SampleKey : unsigned char {
   time,       ///< in seconds
   unix_time,  ///< in seconds since 1970

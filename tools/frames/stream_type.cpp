@@ -195,7 +195,7 @@ void StreamType::configure(std::string_view with) {
 void StreamType::configure_for(std::string_view patterns) {
   const auto flags = content_flags(request_);
   if (!flags) return;
-  // Which fields each flag adds to the sample.
+  // The fields that each flag adds to the sample.
   const std::vector<StreamField> always = fields();
   std::vector<std::string> paths;
   std::vector<std::int64_t> needs;

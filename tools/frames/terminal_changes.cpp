@@ -19,8 +19,8 @@ namespace {
 using ByteSpan = std::span<const std::uint8_t>;
 using Header = std::array<std::uint8_t, frame_header_size>;
 
-/// What a terminal of Linux removes: the characters for end of file, start, reprint, stop and
-/// literal next. Others, such as erase, remove more than themselves.
+/// The bytes that a terminal of Linux removes: the characters for end of file, start, reprint, stop
+/// and literal next. Others, such as erase, remove more than themselves.
 constexpr std::array<std::uint8_t, 5> removed_bytes{0x04, 0x11, 0x12, 0x13, 0x16};
 constexpr std::uint8_t carriage_return = 0x0D;
 constexpr std::uint8_t line_feed = 0x0A;

@@ -1,5 +1,5 @@
-/// What the driver of a serial port does to frames unless the port is in raw mode: it removes some
-/// bytes and turns 0x0d into 0x0a.
+/// The changes that the driver of a serial port makes to frames unless the port is in raw mode: it
+/// removes some bytes and turns 0x0d into 0x0a.
 #pragma once
 
 #include <cstdint>

@@ -12,7 +12,7 @@
 
 namespace sbgc::tools {
 
-/// What comes before the bytes of a line: "12:34:56.789 TX: ", "uint8_t frame[] = ".
+/// The text before the bytes of a line: "12:34:56.789 TX: ", "uint8_t frame[] = ".
 struct LineFront {
   std::size_t size = 0;
   std::optional<Direction> sender{};  ///< if it is named: the host transmits (TX)

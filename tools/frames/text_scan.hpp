@@ -1,4 +1,4 @@
-/// What the readers of lines of text share.
+/// Shared code of the readers of lines of text.
 #pragma once
 
 #include <algorithm>

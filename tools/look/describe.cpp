@@ -418,7 +418,7 @@ bool print_search(const PageText& page, const std::string& words) {
   return true;
 }
 
-/// Where a field occurs.
+/// The messages in which a field occurs.
 struct Occurrence {
   const MessageType* message = nullptr;
   std::string path{};

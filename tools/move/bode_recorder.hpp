@@ -14,7 +14,7 @@ namespace sbgc::tools {
 /// How many seconds a recording may take. Assumption: what is longer is a mistake.
 inline constexpr double longest_recording = 60;
 
-/// Where the camera looks, in degrees. The pan axis stays where it is.
+/// A direction of the camera, in degrees. The pan axis stays where it is.
 struct RecordingPosition {
   double roll{}, pitch{};
 };

@@ -8,7 +8,7 @@
 
 namespace sbgc::tools {
 
-/// What the guard does besides the stop.
+/// The duties of the guard besides the stop.
 enum class AfterStop : unsigned char {
   nothing,
   remove_timeout,  ///< so that RC does not take over: see set_control_timeout()

@@ -80,7 +80,7 @@ std::optional<KeyTurn> direction_of(const KeyPress& press) {
   }
 }
 
-/// Which axes turn: those whose key is held, as far as its repetitions tell.
+/// The axes that turn: those whose key is held, as far as its repetitions show.
 class HeldKeys {
  public:
   void press(const KeyTurn& direction, Clock::time_point now) {

@@ -98,7 +98,7 @@ int run_instead(CLI::App& app, const std::vector<std::string>& words, const Armi
   return context.status;
 }
 
-/// Where the camera is before an action that ends where only the board knows.
+/// The place of the camera before an action whose end only the board knows.
 std::string place_text(Client& client) {
   const Result<msg::GetAngles> state(client.get_angles());
   if (!state) return "";

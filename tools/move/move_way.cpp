@@ -36,7 +36,7 @@ int way(int from, int to) {
   return difference;
 }
 
-/// Where an angle is, such as "40 down"; a number with its sign if its direction is not known.
+/// An angle in words, such as "40 down"; a number with its sign if its direction is not known.
 std::string place(std::size_t axis, int angle) {
   const AxisDirection& ways = axis_directions[axis];
   const char* const direction = angle < 0 ? ways.negative : ways.positive;

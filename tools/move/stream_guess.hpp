@@ -9,7 +9,7 @@
 
 namespace sbgc::tools {
 
-/// What may have been requested for a stream with this sample, without the interval: one request if
+/// The possible requests for a stream with this sample, without the interval: one request if
 /// the sample tells, several if it is one of them, none if the sample does not tell. `is_sample` is
 /// false for other messages.
 struct StreamGuess {

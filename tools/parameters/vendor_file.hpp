@@ -10,7 +10,8 @@
 
 namespace sbgc::tools {
 
-/// What a file holds under one name: one value, or the elements of a list in the order of the file.
+/// The contents of a file under one name: one value, or the elements of a list in the order of the
+/// file.
 struct SavedValue {
   std::string name{};  ///< in a section, such as "extIMU/type"
   std::vector<std::string> values{};

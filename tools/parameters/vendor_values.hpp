@@ -1,4 +1,4 @@
-/// What a file of the vendor's program says about the parameters of a board.
+/// The parameters of a board in a file of the vendor's program.
 #pragma once
 
 #include <cstdint>

@@ -200,7 +200,7 @@ class BridgePorts final : public hosts::HostPorts {
     bool is_due_soon{};                 // the answer to it
     std::optional<StreamKey> stream{};  // that it starts, changes or ends
   };
-  /// What one host wants of it.
+  /// The wishes of one host for it.
   struct Share {
     std::int64_t interval{};  // in counts of the request
     std::int64_t before{};    // the last one, which a refused change leaves; or 0

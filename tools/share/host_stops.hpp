@@ -1,4 +1,4 @@
-/// What hosts of a bridge have stopped, and whether it has.
+/// The stops of hosts of a bridge, and whether they are done.
 #pragma once
 
 #include <cstddef>

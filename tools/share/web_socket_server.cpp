@@ -46,7 +46,7 @@ std::string place_of(const Tcp::endpoint& endpoint) {
 
 std::string_view view(boost::string_view text) { return {text.data(), text.size()}; }
 
-/// What a stranger has sent, for a log.
+/// The text of a stranger, for a log.
 std::string printable(std::string_view text) {
   std::string result(text.substr(0, 100));
   std::ranges::replace_if(

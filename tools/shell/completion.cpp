@@ -299,7 +299,7 @@ void add_options(const CLI::App& command, Candidates& result) {
   }
 }
 
-/// What the words before the last one choose.
+/// The choice by the words before the last one.
 struct Chosen {
   const CLI::App* command = nullptr;
   std::vector<std::string> arguments{};

@@ -1,4 +1,4 @@
-/// What can stand at the place of the cursor.
+/// The words that can stand at the place of the cursor.
 #pragma once
 
 #include <string>

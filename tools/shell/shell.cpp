@@ -81,7 +81,7 @@ class SignalsOfCommand {
   std::array<struct sigaction, signals.size()> before_{};
 };
 
-/// How a command ended.
+/// The end of a command.
 struct Ended {
   int status = failure;
   bool is_killed = false;

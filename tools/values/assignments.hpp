@@ -12,7 +12,7 @@
 
 namespace sbgc::tools {
 
-/// What a value does to the present one.
+/// The effect of a value on the present one.
 enum class Change : unsigned char { set, add, subtract };
 
 struct Assignment {

@@ -87,7 +87,7 @@ void add_named_directions(CLI::App& command, CLI::Option& signed_option, std::si
   }
 }
 
-/// What to use for a number with a direction: "; --tilt takes 30down or 30up".
+/// A hint to the options for a number with a direction: "; --tilt takes 30down or 30up".
 std::string hint_of_names(std::size_t axis) {
   std::string result;
   for (const std::string& name : named_options(axis)) {

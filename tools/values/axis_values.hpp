@@ -45,7 +45,7 @@ std::string axis_text(std::size_t axis, std::string_view number, std::string_vie
 /// For example "20 deg up (pitch -20), 5 deg right (yaw 5)".
 std::string axes_text(const AxisNumbers& numbers, std::string_view unit);
 
-/// Where positive values turn the camera: "positive pitch is down, positive yaw is right".
+/// The directions of positive values: "positive pitch is down, positive yaw is right".
 std::string directions_text();
 
 }  // namespace sbgc::tools

@@ -85,7 +85,7 @@ class SectionReader {
   const std::vector<ConfigurationValue>& required_texts(std::string_view key,
                                                         std::string_view example);
 
-  /// Where the value of a key stands, or without the key, its section.
+  /// The place of the value of a key, or without the key, of its section.
   ConfigurationPlace place_of(std::string_view key) const;
   /// Rejects the value of a key, or without it the section, for this reason.
   [[noreturn]] void reject(std::string_view key, const std::string& reason) const;

@@ -1,4 +1,4 @@
-/// What a request does, in sentences.
+/// The effects of a request, in sentences.
 #pragma once
 
 #include <optional>

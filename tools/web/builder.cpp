@@ -33,7 +33,7 @@ namespace sbgc::tools {
 
 namespace {
 
-/// What is wrong with a field; the path is "" if it is about the message.
+/// A problem of a field, or of the message if the path is "".
 using Problem = std::pair<std::string, std::string>;
 
 /// Takes the next line from a text.

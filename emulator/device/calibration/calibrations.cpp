@@ -31,7 +31,7 @@ constexpr double rest_speed = 5;
 /// multiple of it.
 constexpr unsigned patience = 3;
 
-/// What the board does during a calibration.
+/// The actions of the board during a calibration.
 struct KindFacts {
   Kind kind{};
   msg::CalibMode mode{};

@@ -1,4 +1,4 @@
-/// What a request to move the camera says about each axis.
+/// The targets of each axis in a request to move the camera.
 #pragma once
 
 #include <cstddef>

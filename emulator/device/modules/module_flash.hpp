@@ -27,8 +27,8 @@ class ModuleFlash {
   /// The number of the next part, modulo 256.
   std::uint8_t next_packet() const { return run_ ? run_->packet : std::uint8_t{0}; }
 
-  /// What was loaded into a module; empty while or after a loading that did not end. Nothing for a
-  /// module with its first firmware.
+  /// The firmware that was loaded into a module; empty while or after a loading that did not end.
+  /// Nothing for a module with its first firmware.
   const std::map<msg::ModuleId, Firmware>& firmware() const { return firmware_; }
 
   Instant next() const { return Instant::never; }

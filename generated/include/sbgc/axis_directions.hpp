@@ -1,6 +1,6 @@
 // Generated from spec/ by generator/: edit those, then run ./dev generate.
 
-/// Which way angles and speeds about each axis of the gimbal count, as the person behind the camera
+/// The positive directions of angles and speeds about each axis, as the person behind the camera
 /// sees it.
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace sbgc {
 
-/// Where positive and negative values turn the camera, such as "down" and "up"; "" if it is not
+/// The directions of positive and negative values, such as "down" and "up"; "" if it is not
 /// known.
 struct AxisDirection {
   const char* positive = "";

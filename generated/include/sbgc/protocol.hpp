@@ -36,7 +36,7 @@ enum class FramePart : std::uint8_t {
   frame_checksum,
 };
 
-/// How a checksum is computed: as the sum of all bytes modulo 256 or 65536, as their exclusive or,
+/// The algorithm of a checksum: as the sum of all bytes modulo 256 or 65536, as their exclusive or,
 /// or as a cyclic redundancy check.
 enum class ChecksumKind : std::uint8_t { sum8, sum16, xor8, crc8, crc16, crc32 };
 
@@ -141,8 +141,8 @@ enum class Form : std::uint8_t {
   selected,
 };
 
-/// What a request does. A request can have several effects, some of them only with certain values
-/// in its fields.
+/// The effects of requests. A request can have several effects, some of them only with certain
+/// values in its fields.
 enum class Effect : std::uint8_t {
   /// Reads: changes nothing.
   reads = 0x01,

@@ -1,6 +1,6 @@
 // Generated from spec/ by generator/: edit those, then run ./dev generate.
 
-/// What the specification says in words, for programs that show it: <sbgc/meta/all.hpp> has the
+/// The texts of the specification, for programs that show them: <sbgc/meta/all.hpp> has the
 /// facts.
 #pragma once
 
@@ -48,7 +48,7 @@ struct TypeReference {
   const char* summary = "";
 };
 
-/// What parameters are about. A parameter belongs to the first topic that has it, and is related to
+/// Topics of parameters. A parameter belongs to the first topic that has it, and is related to
 /// the others.
 struct TopicReference {
   const char* name = "";

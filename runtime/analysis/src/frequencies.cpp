@@ -9,7 +9,7 @@ namespace sbgc::analysis {
 
 namespace {
 
-/// What appears at `seen` in samples at this rate, ascending.
+/// The frequencies that appear at `seen` in samples at this rate, ascending.
 std::vector<double> candidates_of(double seen, double rate) {
   std::vector<double> found{seen};
   for (double turn = rate; turn - seen <= fastest_vibration; turn += rate) {

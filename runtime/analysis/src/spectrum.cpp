@@ -60,8 +60,8 @@ std::vector<std::size_t> segment_starts(std::size_t samples, std::size_t length)
   return starts;
 }
 
-/// What makes the density of bin k of a sum over segments: the bins between the first and the last
-/// one stand for the negative frequencies, too.
+/// The factor from a sum over segments to the density of bin k: the bins between the first and the
+/// last one stand for the negative frequencies, too.
 double bin_scale(std::size_t bin, std::size_t last, double scale) {
   return bin == 0 || bin == last ? scale : 2 * scale;
 }

@@ -33,7 +33,7 @@ constexpr std::array table{
               "mean angle between estimated and measured gravity"},
 };
 
-/// What helps against an error that the board reports.
+/// A remedy for an error that the board reports.
 struct Advice {
   msg::SystemError error{};
   const char* text{};

@@ -1,4 +1,4 @@
-/// What hosts connect to: an emulated board, or a bridge to a real one.
+/// Ports to which hosts connect: an emulated board, or a bridge to a real one.
 #pragma once
 
 #include <cstddef>

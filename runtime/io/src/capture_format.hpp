@@ -1,4 +1,4 @@
-/// What the reader and the writer of captures share: see sbgc/io/capture.hpp.
+/// Shared code of the reader and the writer of captures: see sbgc/io/capture.hpp.
 #pragma once
 
 #include <array>

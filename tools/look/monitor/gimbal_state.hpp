@@ -1,4 +1,4 @@
-/// What the monitor knows about a gimbal, and how it changed over time.
+/// The state of a gimbal in the monitor, and its history.
 #pragma once
 
 #include <array>

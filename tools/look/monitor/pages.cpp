@@ -163,7 +163,8 @@ Window draw_keys(Screen& screen, View& view) {
                     15);
 }
 
-/// What the overview shows of an axis, from the left; a narrow screen lacks those of high rank.
+/// The columns of the overview for an axis, from the left; a narrow screen lacks those of high
+/// rank.
 struct AxisColumn {
   const char* name{};
   unsigned rank{};

@@ -23,7 +23,7 @@ struct LineInfo {
   std::chrono::seconds open{};  ///< since the connection was made or lost
 };
 
-/// What the user has chosen.
+/// The choices of the user.
 struct View {
   Page page = Page::overview;
   bool is_paused = false;

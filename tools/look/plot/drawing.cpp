@@ -132,7 +132,7 @@ std::vector<LinePoint> thinned(const Curve& curve, std::size_t parts) {
 
 namespace {
 
-/// What axes are drawn with.
+/// The characters of axes.
 struct AxisSigns {
   const char* line;
   const char* tick;

@@ -16,7 +16,7 @@
 
 namespace sbgc::emulator {
 
-/// What the board did with a frame from a host.
+/// The reaction of the board to a frame from a host.
 enum class Reaction : std::uint8_t {
   executed,
   refused,        ///< answered with CMD_ERROR, or unconfirmed where that signals a refusal
@@ -27,7 +27,7 @@ enum class Reaction : std::uint8_t {
   locked          ///< ignored, because the port wants the password first
 };
 
-/// What a board has received and sent.
+/// Counters of what a board has received and sent.
 struct BoardCounters {
   std::uint64_t requests{};  ///< frames from hosts
   std::uint64_t refused{};
@@ -99,7 +99,7 @@ class Board {
   /// Reports that saving this revision failed: confirmations of changes up to it become CMD_ERROR.
   /// The changes stay in memory and still need saving.
   void memory_not_saved(std::uint32_t revision, Instant now);
-  /// What hosts have loaded into modules; empty for a module that was not loaded to its end.
+  /// The firmware that hosts have loaded into modules; empty for an incomplete one.
   const std::map<msg::ModuleId, std::vector<std::uint8_t>>& module_firmware() const;
   Gimbal& gimbal();
   const BoardCounters& counters() const;

@@ -1,4 +1,4 @@
-/// What is wrong with an emulated board, apart from its gimbal and its line.
+/// Faults of an emulated board, apart from its gimbal and its line.
 #pragma once
 
 #include <sbgc/messages/realtime.hpp>

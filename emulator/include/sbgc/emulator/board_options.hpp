@@ -12,7 +12,7 @@
 
 namespace sbgc::emulator {
 
-/// What the emulated board is: its model, firmware, and the state in which it starts.
+/// The model and firmware of the emulated board, and the state in which it starts.
 struct BoardOptions {
   msg::BoardVersion board{30};
   msg::FirmwareVersion firmware{2590};
@@ -49,7 +49,7 @@ struct BoardOptions {
   Response response{};
   /// The duration of calibrations, in percent of a real board's.
   unsigned calibration_time = 100;
-  /// What a host has to send before anything else, unless empty; see Board. A request with a new
+  /// The password that a host must send first, unless empty; see Board. A request with a new
   /// password replaces it.
   std::string password{};
   /// Refuses requests with more bytes than the firmware knows. Real boards ignore these.

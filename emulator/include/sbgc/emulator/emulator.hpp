@@ -54,7 +54,7 @@ class Emulator {
 
   /// The number of bytes from the host that are on the line or queued.
   std::size_t queued_bytes(std::size_t port) const;
-  /// How many bytes the host should send at most for now. from_host() accepts more.
+  /// Returns how many bytes the host should send at most for now. from_host() accepts more.
   std::size_t room(std::size_t port) const;
   void from_host(std::size_t port, std::span<const std::uint8_t> bytes, Instant now);
   /// True if no request of the host is pending and all output for it has been taken.

@@ -35,7 +35,7 @@ enum class AxisMode : std::uint8_t {
   relative_angle,  ///< move to `angle`, relative to the frame, over all turns; speed as for `angle`
 };
 
-/// What an axis is told to do.
+/// A command for an axis.
 struct AxisCommand {
   AxisMode mode{};
   double speed{};

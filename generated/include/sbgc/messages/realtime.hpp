@@ -441,7 +441,7 @@ struct RealtimeDataCustom {
       visitor(context.flags);
     }
 
-    /// What a body may repeat, and the flag with which it does.
+    /// The fact that a body may repeat, and the flag for it.
     static constexpr auto repeated = &Context::flags;
     static constexpr auto repeats = RealtimeDataCustomFlag::include_flags;
   };
@@ -646,7 +646,7 @@ struct RealtimeDataCustom2 {
       visitor(context.flags);
     }
 
-    /// What a body may repeat, and the flag with which it does.
+    /// The fact that a body may repeat, and the flag for it.
     static constexpr auto repeated = &Context::flags;
     static constexpr auto repeats = RealtimeDataCustom2Flag::include_flags;
   };

@@ -240,7 +240,7 @@ def number_and_output(quantity: Quantity) -> tuple[int | float, tuple[str, str]]
     return raw, (line, f"real value: {float(quantity.real(raw)):g}{unit}")
 
 
-# What the templates ask
+# Functions for the templates
 
 
 def has_literal(code: str) -> bool:

@@ -7,7 +7,7 @@ import keyword
 from sbgcgen.model import Enum, Layout, Message, Packed, Struct
 from sbgcgen.spec.diagnostics import Diagnostics
 
-# What the modules import, and the classes in them derive from.
+# The imports of the modules, and the bases of their classes.
 TAKEN = frozenset(
     """Axes AxesOf BYTES Bytes ClassVar Elements Field Framing GroupOf IntEnum Iterable ListOf Message
     Flags8 Flags16 Flags32 OpenEnum Optional Packed Part RAW REAL Request Structure TEXT TYPE_CHECKING UNSET Union ValueOf Xyz""".split()

@@ -12,7 +12,7 @@ from sbgcgen.targets import Documented, Reference
 from sbgcgen.targets.python.example import Call, lines_of
 
 PACKAGE = "sbgc"
-# Where the modules are, those written by hand and those of the templates.
+# The folders of the modules written by hand and of those from templates.
 SOURCES = ("python", "generated/python")
 
 _Function = (ast.FunctionDef, ast.AsyncFunctionDef)

@@ -50,7 +50,8 @@ struct Run {
   RawType raw{};
 };
 
-/// What depends on the type of a message. All else goes by the table of the Received<M>.
+/// The functions that depend on the type of a message. All else goes by the table of the
+/// Received<M>.
 struct AnyOperations {
   void (*construct)(void* message);
   Status (*decode)(const AnyOperations& of, std::span<const std::uint8_t> body, void* message,
@@ -59,9 +60,9 @@ struct AnyOperations {
   void (*teach)(const void* message, Contexts& contexts);  ///< null if it has no such facts
   const StructTable* table;
   std::span<const Run> runs;  ///< of a message with only fixed members
-  std::size_t size;      ///< of an M in memory, without the surplus
-  std::size_t min_size;  ///< of a body
-  bool takes_surplus;    ///< the tail of the table is surplus
+  std::size_t size;           ///< of an M in memory, without the surplus
+  std::size_t min_size;       ///< of a body
+  bool takes_surplus;         ///< the tail of the table is surplus
 };
 
 }  // namespace detail

@@ -34,7 +34,7 @@ struct FieldType {
   bool is_optional = false;  ///< shorter bodies lack it
   bool is_of_axis = false;   ///< an element of an axis of the gimbal, or part of one
   bool is_counter = false;   ///< the element count of a list, which follows from the list
-  // Of an integer.
+  // For integers.
   std::int64_t lowest = 0;  ///< what the wire can carry
   std::int64_t highest = 0;
   std::int64_t initial = 0;  ///< in a new message

@@ -1,4 +1,4 @@
-/// What a board supports.
+/// Functions that tell what a board supports.
 #pragma once
 
 #include <sbgc/message.hpp>

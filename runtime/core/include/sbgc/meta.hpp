@@ -104,7 +104,7 @@ struct UnitInfo {
   }
 };
 
-/// What a field means from a firmware on. At most one of unit, names and packed is set.
+/// The meaning of a field from a firmware on. At most one of unit, names and packed is set.
 struct LaterMeaning {
   Availability since{};
   const UnitInfo* unit{};
@@ -169,7 +169,7 @@ enum class FieldRole : std::uint8_t {
   state,    ///< state of the board, not a parameter; written back as it was read
 };
 
-/// How files of the vendor's program hold the number of a quantity.
+/// The form in which files of the vendor's program hold the number of a quantity.
 enum class SavedIn : std::uint8_t {
   automatic,  ///< as on the wire, if that is no coarser than the unit; otherwise that is not known
   raw,        ///< as on the wire
@@ -179,7 +179,7 @@ enum class SavedIn : std::uint8_t {
 /// Whether text and JSON show secrets, such as passwords, or `hidden_text` in place of them.
 enum class Secrets : std::uint8_t { hidden, shown };
 
-/// What stands in place of a secret.
+/// The text in place of a secret.
 inline constexpr const char* hidden_text = "(hidden)";
 
 /// One member of a message or struct.
@@ -209,7 +209,7 @@ struct FieldInfo {
   std::span<const LaterMeaning> later{};  ///< the first one first
 };
 
-/// What a message may do to a board and its camera.
+/// The possible effects of a message on a board and its camera.
 using Effects = Flags<Effect>;
 
 /// One body layout of a command.
@@ -229,7 +229,7 @@ struct MessageInfo {
   std::span<const char* const> answers{};
   const char* stores = "";  ///< the message whose settings it writes, or ""
   Effects effects{};        ///< empty for a message from the board
-  /// What to do before the request is sent, such as how to hold the camera; "" if nothing.
+  /// The preparation before the request is sent, such as how to hold the camera; "" if none.
   const char* preparation = "";
 
   constexpr bool has_secret() const noexcept { return secret_from != max_body_size; }

@@ -12,7 +12,7 @@
 
 namespace sbgc {
 
-/// What a class is optimized for. Both deliver the same frames; see BasicParser and
+/// The aim for which a class is optimized. Both deliver the same frames; see BasicParser and
 /// SessionCapacity.
 enum class Optimize : std::uint8_t {
   speed,

@@ -15,7 +15,7 @@
 
 namespace sbgc {
 
-/// Where text is written. A derived class provides memory for it.
+/// A destination of text. A derived class provides memory for it.
 class TextOutput {
  public:
   TextOutput(const TextOutput&) = delete;

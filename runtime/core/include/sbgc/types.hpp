@@ -295,7 +295,7 @@ class Optional {
 
 namespace detail {
 
-/// Where the parts of these types are in memory.
+/// The places of the parts of these types in memory.
 struct Places {
   template <class List>
   static consteval std::size_t of_elements() noexcept {

@@ -1,4 +1,4 @@
-/// What validate() reports.
+/// Violations, which validate() reports.
 #pragma once
 
 #include <cstdint>

@@ -74,7 +74,7 @@ consteval std::size_t size_of_value() noexcept;
 template <class T>
 inline constexpr std::size_t wire_size = detail::size_of_value<T>();
 
-/// How the counter of a list counts: bytes, or elements but one.
+/// The unit of the counter of a list: bytes, or elements but one.
 enum class Counting : unsigned char { bytes, minus_1 };
 
 namespace detail {

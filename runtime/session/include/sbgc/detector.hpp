@@ -43,7 +43,7 @@ struct Trial {
   bool is_refused{};            ///< the port does not support these settings
 };
 
-/// What the caller must do before it calls next() again.
+/// The action that the caller must take before it calls next() again.
 struct DetectorStep {
   enum class Kind : std::uint8_t {
     set_line,  ///< change to `line` and discard bytes received before, or call refuse()

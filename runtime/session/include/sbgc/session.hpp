@@ -576,7 +576,7 @@ class BasicSession {
 
   using Late = typename detail::LateReplies<capacity.late_replies, is_shared>::Match;
 
-  /// What a frame can answer.
+  /// The requests that a frame can answer.
   struct Found {
     Late late{};
     Request* meant{};

@@ -1,4 +1,4 @@
-/// Which commands of motion a client may still send.
+/// The commands of motion that a client may still send.
 #pragma once
 
 #include <algorithm>

@@ -13,7 +13,7 @@
 
 namespace sbgc::detail {
 
-/// Which requests to send when. One is not repeated before it has been answered, so that a slow
+/// A schedule of requests. One is not repeated before it has been answered, so that a slow
 /// line or board is not flooded.
 class Polls {
  public:

@@ -20,7 +20,7 @@ constexpr std::size_t flash_word = 4;
 /// How long a confirmation may be late. Before, that of another part could not be told from it.
 constexpr Duration flash_lateness = seconds(1);
 
-/// What the user has to know after a loading that did not end.
+/// A hint for the user after a loading that did not end.
 ClientError flash_error(std::size_t confirmed_parts, ClientError reason) {
   const std::string last = confirmed_parts == 0
                                ? std::string("no part was confirmed")

@@ -13,7 +13,7 @@ namespace sbgc {
 
 namespace {
 
-/// What the board reports while it tunes, and since when it reports nothing.
+/// The last report of the board while it tunes, and the time since then.
 class TuningReports {
  public:
   explicit TuningReports(TaskMachine& task)

@@ -14,8 +14,8 @@ using detail::ParametersKind;
 
 namespace {
 
-/// What a write and its confirmation may take. With less time left, it is not begun: "unwritten" is
-/// better than "unknown".
+/// The longest time for a write and its confirmation. With less time left, it is not begun:
+/// "unwritten" is better than "unknown".
 constexpr std::chrono::milliseconds writing_time{250};
 
 /// A block to be written.

@@ -11,7 +11,7 @@ namespace sbgc::analysis {
 /// Assumption: the filter of a gyroscope stops what is faster, in hertz.
 inline constexpr double fastest_vibration = 400;
 
-/// Where a frequency appears in samples, `rate` of them per second.
+/// Returns where a frequency appears in samples, `rate` of them per second.
 double alias_of(double frequency, double rate);
 
 /// A peak of a spectrum, and what it can be.
@@ -22,7 +22,7 @@ struct Frequency {
   bool is_real = true;
 };
 
-/// What the peaks of one spectrum can be, up to fastest_vibration.
+/// The frequencies that the peaks of one spectrum can have, up to fastest_vibration.
 std::vector<Frequency> frequencies_of(const Vibration& vibration);
 
 /// The same for a vibration that was sampled at two rates. A frequency that only one of them shows,

@@ -16,11 +16,11 @@ struct ResponsePoint {
   std::complex<double> response;  ///< output over input
   double gain = 0;                ///< dB; minus infinity for no output
   double phase = 0;  ///< degrees: -180 to 180 at the first frequency, then without jumps
-  /// Which share of the output follows the input, 0 to 1: without noise and other inputs 1. Only of
-  /// 4 segments or more, because that of fewer says nothing.
+  /// The share of the output that follows the input, 0 to 1: without noise and other inputs 1. Only
+  /// of 4 segments or more, because that of fewer says nothing.
   std::optional<double> coherence;
-  /// How uncertain the response is, as a share of it, from the coherence: 95 % of the responses are
-  /// off by less than twice this, in the real and in the imaginary part each.
+  /// The uncertainty of the response, as a share of it, from the coherence: 95 % of the responses
+  /// are off by less than twice this, in the real and in the imaginary part each.
   std::optional<double> deviation;
 };
 

@@ -202,7 +202,7 @@ class AsyncClient {
   /// `closed` before a connection.
   LinkState state() const;
   bool is_connected() const { return state() == LinkState::connected; }
-  /// How many connections have been made.
+  /// Returns the number of connections that have been made.
   std::uint64_t connections() const;
   /// Empty before a connection.
   BoardIdentity identity() const;

@@ -187,9 +187,9 @@ class Client : public TaskCalls<Client> {
 
   LinkState state() const { return link_->state(); }
   bool is_connected() const { return state() == LinkState::connected; }
-  /// How many connections have been made; at least 1.
+  /// Returns the number of connections that have been made; at least 1.
   std::uint64_t connections() const { return link_->connections(); }
-  /// What the board of the current or the last connection reported about itself.
+  /// Returns the identity of the board of the current or the last connection.
   BoardIdentity identity() const { return link_->identity(); }
   /// Describes the current or the last line, e.g. "serial port /dev/ttyUSB0, 115200 8N1".
   std::string description() const { return link_->description(); }

@@ -1,4 +1,4 @@
-/// What carries out the operations of a client.
+/// The interface that carries out the operations of a client.
 #pragma once
 
 #include <chrono>

@@ -13,13 +13,13 @@
 
 namespace sbgc {
 
-/// What to do if the line leads to another board than before.
+/// The action if the line leads to another board than before.
 enum class OtherBoard : std::uint8_t {
   refuse,  ///< close the line again and go on searching
   accept,  ///< use it
 };
 
-/// What a call does while there is no connection.
+/// The behavior of a call while there is no connection.
 enum class OutagePolicy : std::uint8_t {
   fail,  ///< it fails at once with ErrorCode::not_connected
   wait,  ///< it waits for a connection, up to its timeout or ConnectOptions::queue_timeout

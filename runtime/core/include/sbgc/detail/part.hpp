@@ -5,7 +5,7 @@
 
 namespace sbgc::detail {
 
-/// Where the number is. `sign` is a bit that makes it negative, or 0.
+/// The place of the number. `sign` is a bit that makes it negative, or 0.
 struct PartBits {
   std::uint64_t mask{};
   unsigned shift{};

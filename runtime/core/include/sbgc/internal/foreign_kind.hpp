@@ -1,4 +1,4 @@
-/// What files of other programs are.
+/// The kinds of files of other programs.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 namespace sbgc::detail {
 
-/// What foreign_kind() calls a file of the vendor's program.
+/// The name of a file of the vendor's program in foreign_kind().
 inline constexpr std::string_view vendor_xml = "XML of the vendor's program";
 
 /// Returns what the content of a file is that this project does not write, such as "gzip data"; ""

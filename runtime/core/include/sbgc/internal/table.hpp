@@ -49,7 +49,7 @@ struct ValueType {
   void (*construct)(void*){};  ///< makes a new element of a list
 };
 
-/// Where a member is. A counter is where its list is.
+/// The place of a member. The place of a counter is that of its list.
 struct Slot {
   std::size_t offset{};
   const ValueType* type{};
@@ -62,7 +62,7 @@ struct OrderRule {
   bool is_strict{};
 };
 
-/// What a board uses of a message, as the values of its other members say.
+/// The members of a message that a board uses, given the values of the others.
 class UsedMembers {
  public:
   void add(std::size_t member) noexcept { whole_ |= std::uint64_t{1} << member; }

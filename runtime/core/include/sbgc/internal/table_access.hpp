@@ -72,7 +72,7 @@ void store_number(RawType type, void* at, Value value) noexcept {
   with_raw(type, [&]<class T>(T) { store(at, static_cast<T>(value)); });
 }
 
-/// What the wire can carry, of integers of at most 63 bits.
+/// The range of the wire, for integers of at most 63 bits.
 struct RawLimits {
   std::int64_t lowest;
   std::int64_t highest;

@@ -50,7 +50,7 @@ class Violations {
     const FieldInfo& field;
     const FieldPath& path;
   };
-  /// What a violation is besides its place.
+  /// A violation without its place.
   struct Breach {
     double value{};
     double limit{};

@@ -18,7 +18,7 @@
 
 namespace sbgc {
 
-/// How the raw value of a leaf is stored.
+/// The storage of the raw value of a leaf.
 enum class LeafKind : std::uint8_t { integer, real, bytes, text, counter };
 
 /// One value of a message. All views are valid only during the call.

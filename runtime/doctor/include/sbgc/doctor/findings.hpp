@@ -1,4 +1,4 @@
-/// What measurements of a gimbal mean.
+/// Findings from the measurements of a gimbal.
 #pragma once
 
 #include <algorithm>

@@ -94,11 +94,11 @@ struct Measurements {
   std::optional<msg::ReadParams3> parameters{};
   std::optional<msg::CalibInfo> calibration{};
 
-  // Of the line
+  // The line
   double damaged_share = 0;      ///< of frames from the board
   std::uint64_t unanswered = 0;  ///< requests
 
-  // Of the gyroscope, in deg/s
+  // The gyroscope, in deg/s
   Sampling sampling{};
   std::optional<analysis::UniformSamples> gyro{};
   std::optional<analysis::UniformSamples> again{};  ///< at another rate, which tells aliases

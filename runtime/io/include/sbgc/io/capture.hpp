@@ -43,7 +43,7 @@
 
 namespace sbgc::io {
 
-/// What a record of a capture has.
+/// The kinds of records in a capture.
 enum class CaptureKind : std::uint8_t { from_board = 1, to_board = 2, note = 3 };
 
 /// Time since the start of the session.
@@ -87,7 +87,7 @@ std::string to_string(const CaptureDamage& damage);
 /// What CaptureParser finds.
 using CaptureItem = std::variant<CaptureSession, CaptureRecord, CaptureDamage>;
 
-/// How many bytes tell a capture from another file.
+/// The number of bytes that distinguish a capture from another file.
 inline constexpr std::size_t capture_magic_size = 8;
 
 /// Returns true if a file that begins with these bytes is a capture. Needs at least

@@ -1,11 +1,11 @@
-/// What to do with a file that exists.
+/// Policies for a file that exists.
 #pragma once
 
 #include <cstdint>
 
 namespace sbgc {
 
-/// What to do if the file already exists.
+/// The action if the file already exists.
 enum class Existing : std::uint8_t {
   keep,     ///< fail with ErrorCode::invalid
   replace,  ///< replace it atomically

@@ -17,7 +17,7 @@
 
 namespace sbgc::io {
 
-/// What begins an address, and how the whole is written. Help and completion read it, too.
+/// The beginning of an address, and its whole form. Help and completion read it, too.
 struct AddressKind {
   const char* name = "";    ///< "tcp"
   const char* syntax = "";  ///< "tcp:HOST:PORT"

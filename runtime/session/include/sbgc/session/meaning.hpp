@@ -1,4 +1,4 @@
-/// What a received frame means for the requests of a session.
+/// The meaning of a received frame for the requests of a session.
 #pragma once
 
 #include <cstdint>

@@ -15,7 +15,7 @@
 /// `copy` is the profile, counted from 0. `details` and `serial_number` are absent if the board
 /// does not report them.
 ///
-/// What was edited is noticed if it is the identity of the board or `contents`: the CRC-32 of the
+/// Edits are noticed if they concern the identity of the board or `contents`: the CRC-32 of the
 /// two is `checksum`. Values of parameters may be edited, in `body` and `fields` alike, but not the
 /// names of fields, whose CRC-32 is `names`. What was removed from `settings` is Backup::missing.
 /// Files of version 0.1.0 have no `contents` and `checksum`, so only left_alone() tells what they
@@ -44,7 +44,7 @@ struct Backup {
   BoardIdentity board{};
   ParameterSet parameters{};
   std::string created{};  ///< UTC, e.g. "2024-05-01T12:00:00Z"
-  /// What the file lists but does not hold: somebody removed it.
+  /// Parameter sets that the file lists but does not hold, because somebody removed them.
   std::vector<ParametersId> missing{};
 };
 

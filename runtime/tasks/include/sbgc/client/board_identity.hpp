@@ -9,7 +9,7 @@
 
 namespace sbgc {
 
-/// What a board reports about itself when the client connects.
+/// The report of a board about itself when the client connects.
 struct BoardIdentity {
   msg::BoardInfo info{};
   std::optional<msg::BoardInfo3> details{};  ///< only of boards that have serial numbers

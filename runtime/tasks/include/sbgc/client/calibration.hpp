@@ -41,7 +41,7 @@ struct CalibrationOptions {
   std::function<bool(const CalibrationProgress&)> progress{};
 };
 
-/// What is known about a calibration without errors.
+/// The end of a calibration without errors.
 enum class CalibrationEnd : std::uint8_t {
   finished,  ///< the board has reported the end
   accepted,  ///< the board has accepted it, and does not report the end

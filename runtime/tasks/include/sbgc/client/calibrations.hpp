@@ -13,7 +13,7 @@ struct CalibrationForm {
   bool has_action{};  ///< what to do, and on which IMU
 };
 
-/// What a board expects while it calibrates, as far as live data tell it. MessageInfo::preparation
+/// The conditions of a calibration, as far as live data show them. MessageInfo::preparation
 /// says everything in words.
 struct CalibrationConditions {
   bool motors_off{};
@@ -24,7 +24,7 @@ struct CalibrationConditions {
   bool near_voltage{};     ///< the voltage of the request is near the measured one
 };
 
-/// What a user calls a calibration, and its requests, the simplest first.
+/// The name of a calibration for users, and its requests, the simplest first.
 struct Calibration {
   const char* name = "";
   std::vector<CalibrationForm> forms{};

@@ -59,13 +59,14 @@ struct ResponseTo<AnyMessage> {
   using type = std::optional<AnyMessage>;
 };
 
-/// What a successful call with the request M delivers.
+/// The result of a successful call with the request M.
 template <class M>
 using CallResponse = typename ResponseTo<M>::type;
 
 }  // namespace detail
 
-/// What can be sent as a request: a message, also one whose type is known only at run time.
+/// A message that can be sent as a request: a message, also one whose type is known only at run
+/// time.
 template <class M>
 concept Callable = Message<M> || std::same_as<M, AnyMessage>;
 

@@ -1,4 +1,4 @@
-/// What subscribers of the board's messages say.
+/// Keys by which subscribers choose messages of the board.
 #pragma once
 
 #include <cstdint>

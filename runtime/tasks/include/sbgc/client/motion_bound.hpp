@@ -1,11 +1,11 @@
-/// What limits a motion whose owner is silent, and its states: for SpeedControl.
+/// The bounds of a motion whose owner is silent, and its states: for SpeedControl.
 #pragma once
 
 #include <cstdint>
 
 namespace sbgc {
 
-/// What ends the motion if the line is lost, so that no command can reach the board.
+/// The way in which a motion ends if the line is lost and no command can reach the board.
 enum class MotionBound : std::uint8_t {
   /// `timeout` with firmware that has it, otherwise `target`.
   automatic,

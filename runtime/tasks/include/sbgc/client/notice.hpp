@@ -6,7 +6,7 @@
 
 namespace sbgc {
 
-/// What has happened outside of any call.
+/// Something that has happened outside of any call.
 enum class NoticeKind : std::uint8_t {
   board_reset,   ///< the board restarted: pending calls have failed, data streams have ended
   board_error,   ///< the board reported an error outside any call; Notice::detail is its code

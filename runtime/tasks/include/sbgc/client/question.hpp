@@ -9,7 +9,7 @@
 
 namespace sbgc {
 
-/// What a task asks.
+/// A question of a task to the user.
 struct Question {
   enum class Kind : std::uint8_t {
     turn_motors_off,  ///< may the motors lose power? The camera drops to its heavy side

@@ -20,7 +20,7 @@ struct ReadinessOptions {
   AskHandler ask{};
 };
 
-/// What check_readiness() has found.
+/// The result of check_readiness().
 struct Readiness {
   std::string problem{};        ///< a clause that says what is not as it should be; "" if nothing
   bool is_motion_known = true;  ///< false for a frame whose sensor does not say how it moves

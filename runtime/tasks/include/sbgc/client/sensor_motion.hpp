@@ -1,4 +1,4 @@
-/// How a sensor moves, as far as it tells itself.
+/// The motion of a sensor, as far as its own data show it.
 #pragma once
 
 #include <cstddef>
@@ -9,13 +9,13 @@
 
 namespace sbgc {
 
-/// How a sensor moves, and what points up.
+/// The motion of a sensor, and the direction that points up.
 struct SensorMotion {
   bool is_known = true;  ///< false for a frame whose sensor says nothing
   double shaking{};      ///< how far the rate leaves its mean within a second, in deg/s
   double turning{};  ///< size of the mean rate, in deg/s: an even turn, or the gyroscope's offset
-  /// What points up, in the coordinates of the sensor and in g; nothing if the firmware does not
-  /// send it for this sensor.
+  /// The direction that points up, in the coordinates of the sensor and in g; nothing if the
+  /// firmware does not send it for this sensor.
   std::optional<Axes<double>> up{};
 };
 

@@ -7,7 +7,7 @@
 
 namespace sbgc {
 
-/// What the counters say about the line from the board: shares of its frames, 0 to 1.
+/// The quality of the line from the board, by its counters: shares of its frames, 0 to 1.
 struct LineQuality {
   double damaged{};  ///< frames whose damage was noticed; they are missing
   /// An estimate of the frames whose damage no check notices, so that their values are wrong. It

@@ -13,7 +13,7 @@
 
 namespace sbgc {
 
-/// What to tune, and how.
+/// The axes to tune, and the way to tune them.
 struct TuningChoice {
   Axes<bool> axes{true, true, true};
   double gain = 50;           ///< from 0, which prefers stability, to 100, which prefers high gains

@@ -184,7 +184,7 @@
       .filter(({ optional, text }) => !(optional && text === ""))
       .map(({ path, text }) => `${path}=${text}`);
 
-  // What the values make
+  // The bytes and code for the values
 
   const quoted = (text) => (/^[\w.,:=@%+/-]+$/.test(text) ? text : `'${text.replaceAll("'", "'\\''")}'`);
 

@@ -1,4 +1,4 @@
-// What a query finds in the index of the site, with MiniSearch; search.js shows it.
+// Finds entries in the index of the site, with MiniSearch; search.js shows them.
 "use strict";
 
 const sbgcFinder = async (MiniSearch, { synonyms, entries, links }) => {
@@ -6,9 +6,9 @@ const sbgcFinder = async (MiniSearch, { synonyms, entries, links }) => {
     ("a about basecam board gimbal sbgc simplebgc not work works working help need problem an and any are as at be by can cannot do does for from get give has have how i if in into is it its make me my of " +
       "on or our please should so that the their there this to use using want was we what when where which while why will with you your").split(" "),
   );
-  // How much a word in each field says. `asked` are the words that people ask with, `prose` those of a guide.
+  // The weight of a word in each field. `asked` are the words that people ask with, `prose` those of a guide.
   const boost = { whole: 12, asked: 16, name: 6, words: 3, about: 2.5, topics: 5, prose: 1 };
-  // How much more likely people want one kind than another.
+  // The weights of kinds: people want some more often than others.
   const kinds = {
     page: 1.5, guide: 1.5, section: 1.4, message: 1.4, unit: 1, command: 1, family: 1, enum: 0.9, flags: 0.9, packed: 0.7,
     field: 0.6, variable: 0.6, value: 0.35, name: 0.3, erratum: 0.3,
@@ -101,7 +101,7 @@ const sbgcFinder = async (MiniSearch, { synonyms, entries, links }) => {
   const search = (query, more) =>
     index.search(query, { ...options, boost, bm25, tokenize: (text) => [text], combineWith: "AND", ...more });
 
-  // What one word finds: the score of each document, and for a misspelled word what it is taken for.
+  // The results of one word: the score of each document, and for a misspelled word what it is taken for.
   const matches = (word) => {
     const scores = new Map();
     const add = (results, worth) => {

@@ -73,6 +73,14 @@
   for (const block of document.querySelectorAll("[data-copy]")) addCopyButton(block);
   globalThis.sbgcAddCopyButton = addCopyButton; // for what other scripts add
 
+  // An address unfolds what it leads to, such as an erratum.
+  const unfold = () => {
+    const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
+    target?.querySelector(":scope > details")?.setAttribute("open", "");
+  };
+  addEventListener("hashchange", unfold);
+  unfold();
+
   // Tabs. The choice holds for all pages, and an address with the id of a heading chooses its tab.
   for (const box of document.querySelectorAll(".tabs")) {
     const panels = [...box.querySelectorAll(":scope > .tab")];
