@@ -56,7 +56,7 @@ if TYPE_CHECKING:
 else:
 
     def __getattr__(name: str) -> object:
-        """What takes long to import, when it is used: asyncio, and the description of the package."""
+        """Imports slow parts when they are used: asyncio, and the description of the package."""
         if name == "aio":
             return import_module("sbgc.aio")
         if name == "__version__":

@@ -33,7 +33,7 @@ class ResponsePoint:
 
 @dataclass(frozen=True)
 class BodeRecording:
-    """What went into an axis and what came out, every 0.8 ms. A lost sample is NaN in both.
+    """The input and the output of an axis, every 0.8 ms. A lost sample is NaN in both.
 
     `end_lost` is true if the message of the end was lost: the board may have reported an error there.
     """

@@ -14,7 +14,7 @@ Bytes = Union[bytes, bytearray, memoryview]
 
 
 class Direction(IntEnum):
-    """Who sends a message: one command id often has another message in each direction."""
+    """The sender of a message: one command id often has another message in each direction."""
 
     TO_BOARD = 0
     FROM_BOARD = 1
@@ -77,7 +77,7 @@ class Frame:
 
 @dataclass(frozen=True)
 class ParserCounters:
-    """What a Parser has counted since it was made; see the parser of the C++ library."""
+    """The counters of a Parser; see the parser of the C++ library."""
 
     frames: int
     skipped_bytes: int

@@ -22,7 +22,7 @@ S = TypeVar("S", bound="Structure")
 
 
 class Kind(Protocol):
-    """How the value at a path is read and written."""
+    """Reads and writes the value at a path."""
 
     def read(self, message: _core.AnyMessage, path: str) -> Any:
         ...

@@ -1,4 +1,4 @@
-"""What the blocking and the asynchronous client have in common."""
+"""The common code of the blocking and the asynchronous client."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ class Move:
 
 @dataclass(frozen=True)
 class Identity:
-    """What the board has said about itself."""
+    """The identity of a board, as it reports it."""
 
     board: str
     firmware: str
@@ -163,7 +163,7 @@ class SpeedControl:
 
 
 class Link:
-    """What the blocking and the asynchronous client have in common."""
+    """The common base of the blocking and the asynchronous client."""
 
     _is_closed = True  # until there is a client
 
@@ -188,7 +188,7 @@ class Link:
             raise AttributeError(text)
 
     def _hint(self, name: str) -> str:
-        """What somebody who writes this name is looking for."""
+        """The attribute that somebody who writes this name is looking for."""
         public = [one for one in dir(type(self)) if not one.startswith("_")]
         verb, _, rest = name.partition("_")
         if verb in ("get", "read") and rest in public:
@@ -212,7 +212,7 @@ class Link:
 
     @property
     def identity(self) -> Identity:
-        """What the board reported about itself on connecting."""
+        """The identity that the board reported when the client connected."""
         board, firmware, serial_number, info, details, problem = self._link.identity()
         more = None if details is None else _as(roles.Details, details)
         return Identity(

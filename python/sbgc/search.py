@@ -19,7 +19,7 @@ _MOST_PORTS = 128
 
 @dataclass(frozen=True)
 class Usb:
-    """What a USB adapter reports; texts that it does not report are ""."""
+    """The identity of a USB adapter; missing texts are ""."""
 
     vendor_id: int
     product_id: int

@@ -217,13 +217,13 @@ class Capture(Mapping[type[Message], Table]):
         self.sessions = [epoch + timedelta(microseconds=start) for start in reader.sessions]
         """When the recordings in the file began."""
         self.notes = reader.notes
-        """What the recorder has noted: seconds since the start of the first session, and a text."""
+        """The notes of the recorder: seconds since the start of the first session, and a text."""
         self.damage = [text for _, text in reader.damage]
         """Sentences about parts of the file that are damaged."""
         self.undecoded = reader.undecoded
         """The number of sound frames that are no message."""
         self.counters = {one: ParserCounters(*reader.counters(bool(one))) for one in Direction}
-        """What the parser has counted in each direction, as `sbgc decode` prints it."""
+        """The counters of the parser for each direction, as `sbgc decode` prints it."""
 
     def __getitem__(self, message: type[Message]) -> Table:
         if message not in self._tables:

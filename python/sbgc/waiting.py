@@ -1,4 +1,4 @@
-"""How the calls of the blocking client wait."""
+"""The waits of the calls of the blocking client."""
 
 from __future__ import annotations
 

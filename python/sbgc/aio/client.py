@@ -256,7 +256,7 @@ class Gimbal(Waiting):
     async def edit_profile(self, profile: int, *, timeout: float = 120.0) -> AsyncIterator[Profile]:
         """Read a profile, from 1; write what the block has changed at its end, once.
 
-        What is written is read back and compared. If the block raises, nothing is written.
+        The values are read back and compared. If the block raises, nothing is written.
         """
         index = profile_index(profile)
         edit = Edit(await self._finish(self._link.read_parameters(index, timeout)), index)
@@ -466,7 +466,7 @@ class Stream(Generic[M]):
 
     @property
     def missed(self) -> int:
-        """How many samples were dropped because nobody took them."""
+        """The number of samples that were dropped because nobody took them."""
         return self._queue.missed
 
     def close(self) -> None:

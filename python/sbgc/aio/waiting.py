@@ -1,4 +1,4 @@
-"""How the calls of the asynchronous client wait: until the client's thread rings."""
+"""The waits of the calls of the asynchronous client, until the client's thread rings."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ T = TypeVar("T")
 
 
 class _Done:
-    """What has nothing left to await."""
+    """An awaitable that is done."""
 
     def __await__(self) -> Generator[Any, None, None]:
         yield from ()

@@ -9,7 +9,7 @@ __all__ = ["Framing"]
 
 
 class Framing(IntEnum):
-    """What surrounds the body of a message on the line. Every board understands the first."""
+    """The bytes around the body of a message on the line. Every board understands the first."""
 
     V1 = 0
     V2 = 1
