@@ -192,7 +192,9 @@ def test_a_curve_is_drawn_over_time() -> None:
     )
     text = run("plot", "-", "--ascii", stdin=rows).text
     highest = text.splitlines()[1]
-    assert highest.replace("+", " ").split() == ["9", "*"] and len(highest) == 79, "at the right end"
+    assert (
+        highest.replace("+", " ").split() == ["9", "*"] and len(highest) == 79
+    ), "at the right end"
     between = columns_of("\n".join(text.splitlines()[1:-1]))
     assert max(x for x in between if x < 66) < 10, "nothing is known between 4 s and 40 s"
 

@@ -127,7 +127,9 @@ def test_help_of_a_command() -> None:
 def test_the_first_commands_without_a_gimbal_work(tmp_path: Path) -> None:
     readme = (ROOT / "README.md").read_text("utf-8")
     for text in (run().text, readme):
-        found = re.search(r"sbgc (emulate --link \S+) &.*?sbgc (-p \S+) (?:info|monitor)", text, re.S)
+        found = re.search(
+            r"sbgc (emulate --link \S+) &.*?sbgc (-p \S+) (?:info|monitor)", text, re.S
+        )
         assert found
         with subprocess.Popen(
             [PROGRAM, *found[1].split()], cwd=tmp_path, stdout=subprocess.PIPE

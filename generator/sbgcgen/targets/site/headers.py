@@ -154,7 +154,10 @@ class _Reader:
             self.includes[f"sbgc/messages/{family.name}.hpp"] = f"families/{family.name}.html"
         # The functions of namespaces by their last name and their own.
         self.functions = {
-            (_text_of(compound, "compoundname").rpartition("::")[2], _text_of(member, "name")): member
+            (
+                _text_of(compound, "compoundname").rpartition("::")[2],
+                _text_of(member, "name"),
+            ): member
             for compound in compounds
             if compound.get("kind") == "namespace"
             for member in compound.iter("memberdef")
