@@ -32,7 +32,7 @@ from sbgcgen.targets.render import expand, sources_of
 from sbgcgen.targets.site import rows, uses
 from sbgcgen.targets.site.builder import builder_facts
 from sbgcgen.targets.site.documentation import Documentation
-from sbgcgen.targets.site.guides import Pages, front_of, guides_in, name_of
+from sbgcgen.targets.site.guides import Guide, Pages, front_of, guides_in, name_of
 from sbgcgen.targets.site.headers import Header, headers_of, linked
 from sbgcgen.targets.site.related import Relations
 from sbgcgen.targets.site.search import search_index
