@@ -6,7 +6,6 @@ import asyncio
 import logging
 import signal
 from collections.abc import Coroutine
-from contextlib import suppress
 from typing import Any
 
 from sbgc.mavlink.device import Device
@@ -44,11 +43,21 @@ async def run(settings: Settings) -> None:
         if given.manager:
             jobs.append(Manager(device).run())
         LOG.info("%s: component %d, at %s", device.name, given.component, given.port)
-    running = asyncio.gather(*jobs)
+    tasks = [asyncio.ensure_future(job) for job in jobs]
+    running = asyncio.gather(*tasks)
     for number in (signal.SIGINT, signal.SIGTERM):
         asyncio.get_running_loop().add_signal_handler(number, running.cancel)
-    with suppress(asyncio.CancelledError):
+    try:
         await running
+    except asyncio.CancelledError:
+        pass  # which all tasks have got
+    except BaseException:
+        for task in tasks:
+            task.cancel()
+        raise
+    finally:
+        # gather() does not wait for the others; who leaves now cancels the stop of a rate.
+        await asyncio.gather(*tasks, return_exceptions=True)
 
 
 async def _report(vehicle: Vehicle) -> None:
