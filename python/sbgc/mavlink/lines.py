@@ -77,14 +77,14 @@ class _Datagrams(asyncio.DatagramProtocol):
         self._peers[peer] = channel
         return channel
 
-    def datagram_received(self, data: bytes, peer: Any) -> None:
+    def datagram_received(self, data: bytes, addr: Any) -> None:
         is_connected = self._transport.get_extra_info("peername")
-        self._channel_of(None if is_connected else peer).receive(data)
+        self._channel_of(None if is_connected else addr).receive(data)
 
-    def error_received(self, error: Exception) -> None:
+    def error_received(self, exc: Exception) -> None:
         """Nobody listens there yet."""
 
-    def connection_lost(self, error: object) -> None:
+    def connection_lost(self, exc: object) -> None:
         for channel in self._peers.values():
             self._vehicle.leave(channel)
         if not self.is_lost.done():
