@@ -70,14 +70,12 @@ int body_fit(Direction direction, std::uint8_t id, std::size_t size) {
 
 bool has_command(Direction direction, std::uint8_t id) { return !forms(direction, id).empty(); }
 
-std::size_t misfit(const MessageInfo& form, std::size_t size) {
-  return form.min_size - std::min(form.min_size, size) + size - std::min(form.max_size, size);
-}
-
 std::size_t misfit(Direction direction, std::uint8_t id, std::size_t size) {
   std::size_t least = max_body_size + 1;
   for (const MessageType* const form : forms(direction, id)) {
-    least = std::min(least, misfit(*form->info, size));
+    const std::size_t missing = form->info->min_size - std::min(form->info->min_size, size);
+    const std::size_t surplus = size - std::min(form->info->max_size, size);
+    least = std::min(least, missing + surplus);
   }
   return least;
 }

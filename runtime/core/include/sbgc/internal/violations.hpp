@@ -221,60 +221,9 @@ class Violations {
   bool has_found_ = false;
 };
 
-/// Finds out quickly that there are none: most messages have none. If it cannot, there may be some.
-class PlainCheck {
- public:
-  explicit PlainCheck(const Availability& versions) noexcept : versions_(versions) {}
-
-  bool members(const StructTable& table, const void* object) const {
-    if (table.find_used != nullptr || !table.rules.empty()) return false;
-    for (std::size_t i = 0; i < table.slots.size(); ++i) {
-      if (!table.are_limited[i]) continue;
-      const Slot& slot = table.slots[i];
-      if (!value(table.fields[i], *slot.type, moved(object, slot.offset))) return false;
-    }
-    return true;
-  }
-
- private:
-  bool value(const FieldInfo& field, const ValueType& type, const void* at) const {
-    if (type.kind == Kind::scalar) return scalar(field, type, at);
-    if (type.kind == Kind::group) return members(*type.group, at);
-    if (type.kind != Kind::axes && type.kind != Kind::array) return false;
-    for (std::size_t i = 0; i < type.count; ++i) {
-      if (!value(field, *type.element, element_at(type, at, i))) return false;
-    }
-    return true;
-  }
-  bool scalar(const FieldInfo& field, const ValueType& type, const void* at) const {
-    const bool is_number = !is_real(type.raw) && type.raw != RawType::u64;
-    if (!is_number || field.is_variable_value || !field.later.empty()) return false;
-    const std::int64_t raw = load_integer(type.raw, at);
-    if (raw != 0 && !is_available(field.since, versions_)) return false;
-    if (field.align != 1 && raw % field.align != 0) return false;
-    if (field.range != nullptr) {
-      const auto number = static_cast<double>(raw);
-      if (number < field.range->lowest || number > field.range->highest) return false;
-    }
-    return !type.has_versions || has_names(type.meaning, static_cast<std::uint64_t>(raw));
-  }
-  SBGC_NOINLINE bool has_names(const ScalarInfo& meaning, std::uint64_t raw) const {
-    bool result = true;
-    const auto check = [&](const ValueInfo& known, std::int64_t) {
-      result = result && is_available(known.since, versions_);
-    };
-    if (meaning.names != nullptr) for_each_name(*meaning.names, raw, check);
-    if (meaning.packed != nullptr) for_each_name(*meaning.packed, raw, check);
-    return result;
-  }
-
-  const Availability& versions_;
-};
-
 /// Returns true if there are none.
 inline bool report_violations(const StructTable& table, const void* message,
                               const Availability& versions, Violations::Report report, void* user) {
-  if (PlainCheck(versions).members(table, message)) return true;
   Violations found(versions, report, user);
   found.members(table, message);
   return found.are_none();
