@@ -325,7 +325,6 @@ class Gimbal::Impl : public std::enable_shared_from_this<Impl> {
 
 Gimbal::Gimbal(Io& io, const FleetGimbal& settings) : impl_(std::make_shared<Impl>(io, settings)) {}
 
-// NOLINTNEXTLINE(bugprone-exception-escape): throws only when out of memory
 Gimbal::~Gimbal() {
   close();
   impl_->end();

@@ -29,20 +29,14 @@ bool is_plain_request(const MessageType& type) {
          info.answers.size() == 1;
 }
 
-std::vector<std::string> stream_names() {
-  std::vector<std::string> names;
-  roles::StreamMessages::for_each(
-      [&]<class M>(Type<M>) { names.emplace_back(Meta<M>::info.name); });
-  return names;
-}
-
 }  // namespace
 
 TelemetrySource TelemetrySource::find(std::string_view message, std::string_view contents) {
   TelemetrySource source;
-  const std::vector<std::string> streams = stream_names();
-  const bool is_streamed = std::ranges::any_of(streams, [&](const std::string& name) {
-    return is_telemetry_name(message, *find_message(name)->info);
+  std::vector<std::string> streams;
+  for (const MessageType* const type : stream_types()) streams.emplace_back(type->info->name);
+  const bool is_streamed = std::ranges::any_of(stream_types(), [&](const MessageType* type) {
+    return is_telemetry_name(message, *type->info);
   });
   if (is_streamed) {
     source.stream_ = StreamType::find(message);

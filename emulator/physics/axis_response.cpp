@@ -12,6 +12,7 @@ AxisResponse::AxisResponse(msg::BodeSystem system) : system_(system) {
   const double radius = std::exp(-damping * turn);
   first_ = 2 * radius * std::cos(turn * std::sqrt(1 - damping * damping));
   second_ = -radius * radius;
+  // NOLINTNEXTLINE(cppcoreguidelines-prefer-member-initializer): from the other two
   scale_ = gain * (1 - first_ - second_);
 }
 

@@ -23,8 +23,8 @@ constexpr double motor_current = 0.8;   // at full power
 constexpr double imbalance_strength = 3000;
 
 /// Adds a vibration to the motion of the camera, if the motor that excites it is on.
-void shake(const Vibration& vibration, std::int64_t us, const Mechanics::AxisStates& axes,
-           Sample& sample) {
+void add_vibration(const Vibration& vibration, std::int64_t us, const Mechanics::AxisStates& axes,
+                   Sample& sample) {
   constexpr double turn = 2 * 3.14159265358979323846;
   if (!axes[vibration.axis].is_held || !(vibration.frequency > 0)) return;
   const double phase = std::fmod(vibration.frequency * static_cast<double>(us) * 1e-6, 1) * turn;
@@ -181,7 +181,7 @@ Sample Mechanics::measure(Instant now) const {
     sample.power[i] = axis.is_held ? within(motor_share(orders[i], axis) + strain[i], 0, 1) : 0;
     sample.imbalance[i] = axis.motion.balance;
   }
-  if (vibration) shake(*vibration, us, moved, sample);
+  if (vibration) add_vibration(*vibration, us, moved, sample);
   sample.frame = plus(frame_now.angles, frame_error);
 
   const Pose camera_estimate(sample.angles, order);

@@ -102,7 +102,6 @@ class Player {
   explicit Player(Input& input) : input_(input) {}
   Player(const Player&) = delete;
   Player& operator=(const Player&) = delete;
-  // NOLINTNEXTLINE(bugprone-exception-escape): then the fuzzer ends
   ~Player() {
     for (auto& [number, peer] : peers_) peer.host->close();
     settle();

@@ -99,7 +99,6 @@ struct Selected {
 Selected selected(Direction direction, std::uint8_t id, std::size_t size);
 
 /// The result of visit_received().
-// NOLINTNEXTLINE(bugprone-exception-escape): nlohmann's move does not throw
 struct Visited {
   Status status{};
   int calls{};

@@ -14,7 +14,7 @@ import pytest
 if TYPE_CHECKING:
     from drone import Rig
 
-for folder in (Path(__file__).parent / "peers" / "venv").glob("lib/python3*/site-packages"):
+for folder in Path(__file__).parents[2].glob("build/venv/lib/python3*/site-packages"):
     site.addsitedir(str(folder))
     os.environ["PYTHONPATH"] = f"{os.environ.get('PYTHONPATH', '')}:{folder}"  # of the program
 collect_ignore_glob = [] if find_spec("pymavlink") else ["*_test.py"]

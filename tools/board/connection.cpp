@@ -86,7 +86,8 @@ std::string causes_of(const std::vector<Probe>& probes) {
     }
   }
   std::string result;
-  for (const auto& [cause, ports] : ports_by_cause) result += "\n  " + ports + "  " + cause;
+  for (const auto& [cause, ports] : ports_by_cause)
+    result.append("\n  ").append(ports).append("  ").append(cause);
   return result;
 }
 

@@ -49,7 +49,7 @@ const Calibration& calibration_named(const std::string& name) {
   std::vector<std::string> names;
   for (const Calibration& one : calibrations()) {
     if (detail::is_same_word(name, one.name)) return one;
-    names.push_back(one.name);
+    names.emplace_back(one.name);
   }
   const auto near = detail::nearest(detail::lower_case(name), names);
   throw CommandError(fmt::format("unknown calibration '{}'{}", clipped(name),
@@ -108,7 +108,7 @@ Chosen choose(const Calibration& calibration, const CalibrateOptions& options) {
       types.push_back(find_message(form.info->name));
     }
     names.reserve(assignments.size());
-    for (const Assignment& one : assignments) names.push_back(one.name);
+    for (const Assignment& one : assignments) names.emplace_back(one.name);
     const MessageType& type = form_with(types, names);
     Chosen result{.request = new_message(type)};
     result.form = &*std::ranges::find(calibration.forms, type.info, &CalibrationForm::info);

@@ -31,7 +31,7 @@ class LineQueue {
     return std::exchange(waiting_, {});
   }
 
-  std::uint64_t dropped() {
+  std::uint64_t dropped() const {
     const std::lock_guard lock(mutex_);
     return dropped_;
   }
@@ -39,7 +39,7 @@ class LineQueue {
  private:
   static constexpr std::size_t most = std::size_t{64} << 20;
 
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::string waiting_;
   std::uint64_t dropped_ = 0;

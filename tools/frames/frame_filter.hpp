@@ -30,7 +30,6 @@ class FieldCondition {
  private:
   enum class Operator : std::uint8_t { equal, unequal, less, most, greater, least, has };
   /// The fields of one message that the name means, and the value to compare with.
-  // NOLINTNEXTLINE(bugprone-exception-escape): moving Json throws nothing
   struct Target {
     std::vector<std::string> paths{};
     AnyValue value{};

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <type_traits>
+#include <utility>
 
 #include <fmt/format.h>
 
-#include <sbgc/dispatch.hpp>
 #include <sbgc/internal/suggestions.hpp>
 #include <sbgc/internal/words.hpp>
 #include <sbgc/json/hex.hpp>
@@ -71,55 +72,34 @@ std::vector<std::string> names_of(const EnumInfo& info) {
   return names;
 }
 
-template <class M>
-std::function<void(const M&)> taker(SampleHandler handler) {
-  return [handler = std::move(handler)](const M& message) {
+std::function<void(const AnyMessage&)> taker(SampleHandler handler) {
+  return [handler = std::move(handler)](const AnyMessage& message) {
     handler([&](const std::function<void(const Leaf&)>& use) {
-      for_each_leaf(message, [&](const Leaf& leaf) { use(leaf); });
+      message.for_each_leaf([&](const Leaf& leaf) { use(leaf); });
     });
-  };
-}
-
-template <class M>
-std::function<void(const M&)> any_taker(AnyHandler handler) {
-  return [handler = std::move(handler), type = find_message(Meta<M>::info.name)](const M& message) {
-    handler(AnyMessage(*type, &message));
   };
 }
 
 }  // namespace
 
-template <class M>
-StreamType::StreamType(Type<M>)
-    : type_(find_message(Meta<M>::info.name)),
-      request_(*find_message(Meta<roles::StreamRequest>::info.name)),
-      listen_([](Client& client, SampleHandler handler) {
-        return client.subscribe<M>(taker<M>(std::move(handler)));
-      }),
-      start_([](Client& client, const roles::StreamRequest& request, SampleHandler handler) {
-        return client.stream<M>(request, taker<M>(std::move(handler)));
-      }),
-      async_start_([](AsyncClient& client, const roles::StreamRequest& request, AnyHandler handler,
-                      std::function<void(Result<Subscription>)> done) {
-        client.async_stream<M>(request, any_taker<M>(std::move(handler)), std::move(done));
-      }) {
-  detail::choose_stream<M>(*request_.get_if<roles::StreamRequest>());
+StreamType::StreamType(const MessageType& type)
+    : type_(&type), request_(detail::message_type<roles::StreamRequest>()) {
+  auto& command = roles::stream_command(*request_.get_if<roles::StreamRequest>());
+  command = static_cast<std::remove_reference_t<decltype(command)>>(type.info->id);
   add_demanded(request_);
 }
 
 StreamType StreamType::find(std::string_view name) {
-  std::optional<StreamType> found;
   std::vector<std::string> known;
   std::vector<std::string> commands;
-  roles::StreamMessages::for_each([&]<class M>(Type<M> message) {
-    const MessageInfo& info = Meta<M>::info;
-    known.emplace_back(info.name);
-    commands.emplace_back(info.command);
+  for (const MessageType* const type : stream_types()) {
+    const MessageInfo& info = *type->info;
     const bool is_it = detail::is_same_word(name, info.name) ||
                        is_command_name(name, info.command) || parse_command_id(name) == info.id;
-    if (!found && is_it) found = StreamType(message);
-  });
-  if (found) return *std::move(found);
+    if (is_it) return StreamType(*type);
+    known.emplace_back(info.name);
+    commands.emplace_back(info.command);
+  }
   std::vector<std::string> all = known;
   all.insert(all.end(), commands.begin(), commands.end());
   throw CommandError(fmt::format("there is no data stream of '{}'{}", clipped(name),
@@ -127,6 +107,10 @@ StreamType StreamType::find(std::string_view name) {
                                      detail::nearest(name, all),
                                      "there are streams of " + detail::alternatives(known, false))),
                      wrong_usage);
+}
+
+Subscription StreamType::listen(Client& client, SampleHandler handler) const {
+  return client.subscribe(*type_, taker(std::move(handler)));
 }
 
 roles::StreamRequest StreamType::with_interval(std::int64_t count) const {
@@ -164,15 +148,15 @@ Result<Subscription> StreamType::start(Client& client, std::chrono::milliseconds
                                        SampleHandler handler) const {
   const auto asked = request(interval);
   if (!asked) return asked.error();
-  return start_(client, *asked, std::move(handler));
+  return client.stream(*type_, *asked, taker(std::move(handler)));
 }
 
 void StreamType::async_start(AsyncClient& client, std::chrono::milliseconds interval,
-                             AnyHandler handler,
+                             std::function<void(const AnyMessage&)> handler,
                              std::function<void(Result<Subscription>)> done) const {
   const auto asked = request(interval);
   if (!asked) return done(asked.error());
-  async_start_(client, *asked, std::move(handler), std::move(done));
+  client.async_stream(*type_, *asked, std::move(handler), CallOptions(), std::move(done));
 }
 
 void StreamType::configure(std::string_view with) {

@@ -20,8 +20,6 @@ namespace sbgc::tools {
 /// Takes a sample, which is valid during the call.
 using SampleHandler = std::function<void(const Sample&)>;
 
-using AnyHandler = std::function<void(const AnyMessage&)>;
-
 /// A stream of one kind of message, and its configuration.
 class StreamType {
  public:
@@ -46,30 +44,23 @@ class StreamType {
   std::vector<StreamField> fields() const;
 
   /// Takes the messages that arrive without a request, as from a capture.
-  Subscription listen(Client& client, SampleHandler handler) const {
-    return listen_(client, std::move(handler));
-  }
+  Subscription listen(Client& client, SampleHandler handler) const;
   /// Starts the stream.
   Result<Subscription> start(Client& client, std::chrono::milliseconds interval,
                              SampleHandler handler) const;
   /// The same; `done` and `handler` are called on the executor of the client.
-  void async_start(AsyncClient& client, std::chrono::milliseconds interval, AnyHandler handler,
+  void async_start(AsyncClient& client, std::chrono::milliseconds interval,
+                   std::function<void(const AnyMessage&)> handler,
                    std::function<void(Result<Subscription>)> done) const;
 
  private:
-  template <class M>
-  explicit StreamType(Type<M> message);
+  explicit StreamType(const MessageType& type);
 
   roles::StreamRequest with_interval(std::int64_t count) const;
   Result<roles::StreamRequest> request(std::chrono::milliseconds interval) const;
 
   const MessageType* type_;
   AnyMessage request_;
-  Subscription (*listen_)(Client& client, SampleHandler handler);
-  Result<Subscription> (*start_)(Client& client, const roles::StreamRequest& request,
-                                 SampleHandler handler);
-  void (*async_start_)(AsyncClient& client, const roles::StreamRequest& request, AnyHandler handler,
-                       std::function<void(Result<Subscription>)> done);
 };
 
 /// Returns the request for the bytes of a stream, also of one that is not known here; `config` is

@@ -193,9 +193,8 @@ std::string answer_text(const MessageInfo& info, const MessageReference& referen
 }
 
 /// Prints the facts of a field on as many lines as they need.
-void print_facts(const PageText& page, const FieldType& type, const std::string& first,
+void print_facts(const PageText& page, const FieldType& type, std::string facts,
                  std::size_t indent) {
-  std::string facts = first;
   for (const std::string& fact : field_facts(type)) facts += (facts.empty() ? "" : "; ") + fact;
   page.paragraph(facts, indent);
 }

@@ -129,7 +129,6 @@ class LineGate::Gated final : public io::Transport {
   }
   Gated(const Gated&) = delete;
   Gated& operator=(const Gated&) = delete;
-  // NOLINTNEXTLINE(bugprone-exception-escape): throws only when out of memory
   ~Gated() override {
     {
       const std::lock_guard lock(current_->mutex);

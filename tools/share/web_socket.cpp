@@ -38,7 +38,6 @@ class WebSocketEndpoint final : public hosts::Endpoint {
   }
   WebSocketEndpoint(const WebSocketEndpoint&) = delete;
   WebSocketEndpoint& operator=(const WebSocketEndpoint&) = delete;
-  // NOLINTNEXTLINE(bugprone-exception-escape): throws only when out of memory
   ~WebSocketEndpoint() override {
     for (const auto& [id, host] : hosts_) ports_.disconnect(host.port);
   }

@@ -192,10 +192,9 @@ Candidates described(const Place& place) {
 
 Candidates streams() {
   Candidates result;
-  const auto add = [&]<class M>(Type<M>) {
-    result.push_back({Meta<M>::info.name, Meta<M>::info.summary});
-  };
-  roles::StreamMessages::for_each(add);
+  for (const MessageType* const type : stream_types()) {
+    result.push_back({type->info->name, type->info->summary});
+  }
   return result;
 }
 

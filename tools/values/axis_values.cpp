@@ -1,5 +1,6 @@
 #include "values/axis_values.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -66,11 +67,11 @@ CLI::Validator number_with_direction(const std::string& unit, const AxisDirectio
 std::vector<std::string> named_options(std::size_t axis) {
   std::vector<std::string> result;
   if (*axis_directions[axis].positive == '\0') return result;
+  const std::string_view own = axis_names[axis];
   for (const auto& group : synonyms) {
+    if (std::ranges::find(group, own) == group.end()) continue;
     for (const char* const word : group) {
-      const bool is_name = word == std::string_view(axis_names[axis]);
-      if (means_same(word, axis_names[axis]) && !is_name)
-        result.push_back(std::string("--") + word);
+      if (word != own) result.push_back(std::string("--") + word);
     }
   }
   return result;

@@ -28,11 +28,9 @@ constexpr std::uint16_t motors_are_off = 1;
 struct Scaled {
   float min, max;
 
-  explicit Scaled(std::span<const double> values) {
-    const auto [low, high] = std::minmax_element(values.begin(), values.end());
-    min = static_cast<float>(*low);
-    max = static_cast<float>(*high);
-  }
+  explicit Scaled(std::span<const double> values)
+      : min(static_cast<float>(*std::ranges::min_element(values))),
+        max(static_cast<float>(*std::ranges::max_element(values))) {}
   std::uint16_t raw(double value) const {
     constexpr double highest = 65534;
     const double range = static_cast<double>(max) - static_cast<double>(min);

@@ -11,7 +11,6 @@ from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass
 from math import nan
-from struct import pack
 from typing import Optional, Union
 
 from sbgc import aio
@@ -19,7 +18,16 @@ from sbgc.emulator import Angles, Board
 from sbgc.errors import Error, GimbalDisconnected, GimbalTimeout
 from sbgc.link import Identity
 from sbgc.mavlink.steering import UNLIMITED, Goal, Range, Sample, Setpoint, Steering
-from sbgc.msg import BoardFeatures, ControlExt, ControlModeKind, OtherFlags, RealtimeData4
+from sbgc.fields import Axes
+from sbgc.msg import (
+    BoardFeatures,
+    ControlAxis,
+    ControlExt,
+    ControlMode,
+    ControlModeKind,
+    OtherFlags,
+    RealtimeData4,
+)
 from sbgc.parameters import Profile
 
 LOG = logging.getLogger("sbgc.mavlink")
@@ -27,6 +35,7 @@ INTERVAL = 0.05  # seconds between samples, and between repetitions for an axis 
 PACE = 0.02  # a board takes 50 commands a second
 STALE = 0.5
 AGAIN = 2.0
+FASTEST = 2000.0  # degrees per second; no gimbal is faster
 
 
 @dataclass(frozen=True)
@@ -202,16 +211,18 @@ class Head:
 
 
 def control_of(goals: list[Goal], signs: Signs) -> ControlExt:
-    """The command of the board. Made of bytes, because setting fields takes a millisecond."""
-    modes, numbers = [], []
+    """The command of the board."""
+    modes, targets = [], []
     for goal, sign in zip(goals, (signs.roll, signs.pitch, signs.yaw)):
         kind = (
             ControlModeKind.MODE_ANGLE_REL_FRAME if goal.is_relative else ControlModeKind.MODE_ANGLE
         )
-        speed = max(1, round(goal.speed * 32767 / 4000)) if goal.speed else 0
-        modes.append(int(kind))
-        numbers += [min(speed, 32767), round(sign * goal.angle * 16384 / 360)]
-    return ControlExt.from_body(pack("<3B6h", *modes, *numbers))
+        modes.append(ControlMode(kind))
+        target = ControlAxis(speed=min(goal.speed, FASTEST), angle=sign * goal.angle)
+        if goal.speed and not target.speed_raw:
+            target.speed_raw = 1  # the slowest; 0 would be the speed of the parameters
+        targets.append(target)
+    return ControlExt(control_mode=Axes(*modes), axes=Axes(*targets))
 
 
 def limits_of(profile: Profile, signs: Signs) -> tuple[Range, Range, Range]:

@@ -105,9 +105,10 @@ PowerSpectrum power_spectrum(std::span<const double> samples, double rate, std::
     const auto segment = samples.subspan(start, length);
     if (is_complete(segment)) add_power(spectrum, transform(segment));
   }
-  if (spectrum.segments > 0)
+  if (spectrum.segments > 0) {
     scale_power(spectrum,
                 1 / (rate * transform.window_power() * static_cast<double>(spectrum.segments)));
+  }
   return spectrum;
 }
 

@@ -84,7 +84,7 @@ WriteResult AnyMessage::encode(std::span<std::uint8_t> out) const noexcept {
   const std::size_t size = written.size + surplus.size();
   if (size > out.size()) return {0, {Code::buffer_too_small, at, tail_field.name}};
   std::memcpy(out.data() + at, surplus.data(), surplus.size());
-  alignas(std::max_align_t) std::array<std::byte, detail::largest_with_surplus> memory;
+  alignas(std::max_align_t) std::array<std::byte, detail::largest_with_surplus> memory{};
   operations.construct(memory.data());
   const Status status = operations.decode(operations, out.first(size), memory.data(), {});
   const bool is_surplus =

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <string_view>
-#include <utility>
 
 #include <sbgc/text/leaves.hpp>
 
@@ -62,7 +61,7 @@ class LeafFinder : LeafWalk {
       default: break;
     }
     if (!steps_.is_end()) return false;
-    if (field.alternative != nullptr) remember_numbers();
+    if (field.alternative != nullptr) skip(*table_, message_);
     if (variable != nullptr) {
       scalar(field, type, at, path, {.unit = &variable->unit}, variable->later);
     } else {
@@ -87,14 +86,6 @@ class LeafFinder : LeafWalk {
     const std::size_t index = steps_.take_index();
     if (index >= size) return false;
     return value(field, *type.element, element_at(type, at, index), {&path, "", index});
-  }
-
-  /// Walks over all values, of which some may select the unit of this one.
-  void remember_numbers() {
-    const Use use = std::exchange(use_, [](void*, const Leaf&) {});
-    LeafWalk::members(*table_, message_);
-    use_ = use;
-    offset_ = 0;
   }
 
   PathSteps steps_;

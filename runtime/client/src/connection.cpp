@@ -16,9 +16,11 @@ Stop canceller(const Conversation& conversation, CallId id) {
 
 }  // namespace
 
-Connection::Connection(std::shared_ptr<const void> keeper, const asio::any_io_executor& executor,
+Connection::Connection(std::shared_ptr<const void> keeper, asio::any_io_executor executor,
                        Conversation conversation)
-    : keeper_(std::move(keeper)), executor_(executor), conversation_(std::move(conversation)) {}
+    : keeper_(std::move(keeper)),
+      executor_(std::move(executor)),
+      conversation_(std::move(conversation)) {}
 
 Connection::~Connection() { close(); }
 

@@ -16,7 +16,7 @@ namespace sbgc::detail {
 class Connection final : public Link, public std::enable_shared_from_this<Connection> {
  public:
   /// `keeper` lives as long as the connection.
-  Connection(std::shared_ptr<const void> keeper, const asio::any_io_executor& executor,
+  Connection(std::shared_ptr<const void> keeper, asio::any_io_executor executor,
              Conversation conversation);
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;

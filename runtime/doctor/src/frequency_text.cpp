@@ -21,7 +21,7 @@ std::string others_text(const analysis::Frequency& frequency) {
 }
 
 std::string frequency_text(const analysis::Frequency& frequency) {
-  const std::string seen = fmt::format("{:.1f} Hz", frequency.peak.frequency);
+  std::string seen = fmt::format("{:.1f} Hz", frequency.peak.frequency);
   if (frequency.others.empty()) return seen;
   const std::string others = others_text(frequency);
   if (frequency.is_real) return fmt::format("{} (or an alias of {})", seen, others);

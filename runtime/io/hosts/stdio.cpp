@@ -119,7 +119,6 @@ class StdioEndpoint final : public Endpoint {
   explicit StdioEndpoint(std::shared_ptr<Host> host) : host_(std::move(host)) {}
   StdioEndpoint(const StdioEndpoint&) = delete;
   StdioEndpoint& operator=(const StdioEndpoint&) = delete;
-  // NOLINTNEXTLINE(bugprone-exception-escape): throws only when out of memory
   ~StdioEndpoint() override { host_->close(); }
 
   std::string address() const override { return "standard input and output"; }

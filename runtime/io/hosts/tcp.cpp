@@ -69,7 +69,6 @@ class TcpEndpoint final : public Endpoint {
 
   TcpEndpoint(const TcpEndpoint&) = delete;
   TcpEndpoint& operator=(const TcpEndpoint&) = delete;
-  // NOLINTNEXTLINE(bugprone-exception-escape): throws only when out of memory
   ~TcpEndpoint() override {
     for (const auto& host : hosts_) host->close();
   }

@@ -39,7 +39,6 @@ class Terminal final : public Endpoint {
 
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;
-  // NOLINTNEXTLINE(bugprone-exception-escape): throws only when out of memory
   ~Terminal() override {
     if (host_ == nullptr) return;
     host_->before_bytes = nullptr;

@@ -37,7 +37,6 @@ class UdpEndpoint final : public Endpoint {
 
   UdpEndpoint(const UdpEndpoint&) = delete;
   UdpEndpoint& operator=(const UdpEndpoint&) = delete;
-  // NOLINTNEXTLINE(bugprone-exception-escape): throws only when out of memory
   ~UdpEndpoint() override {
     for (const auto& host : hosts_.all()) board_.disconnect(host.port);
   }

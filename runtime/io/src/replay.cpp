@@ -169,7 +169,6 @@ class ReplayTransport final : public Transport {
 
   ReplayTransport(const ReplayTransport&) = delete;
   ReplayTransport& operator=(const ReplayTransport&) = delete;
-  // NOLINTNEXTLINE(bugprone-exception-escape): cancelling this kind of timer cannot fail
   ~ReplayTransport() override { player_->close(); }
 
   void async_read(std::span<std::uint8_t> into, Handler handler) override {

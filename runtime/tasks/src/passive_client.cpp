@@ -92,7 +92,7 @@ void PassiveClient::State::detect_line(SetLine set_line,
   // It keeps a view of the question, whose bytes stay where they are when the vector is moved.
   Detector detector({.question = question});
   search_ = std::make_unique<Search>(
-      Search{std::move(question), std::move(detector), std::move(set_line), std::move(done)});
+      Search{std::move(question), detector, std::move(set_line), std::move(done)});
   has_news_ = true;
 }
 
@@ -122,7 +122,7 @@ void PassiveClient::State::end_search(const Result<void>& result) {
   std::exchange(search_, nullptr)->done(result);
 }
 
-void PassiveClient::State::change_framing(std::function<void()> done) {
+void PassiveClient::State::change_framing(const std::function<void()>& done) {
   const Framing newest = newest_framing(identity_.versions());
   if (!options_.newest_framing || newest == basic_framing) return done();
   auto request = detail::prepare(roles::IntroductionRequest{}, identity_.versions(), true);
@@ -258,12 +258,11 @@ void PassiveClient::State::join_order(Running& running) {
 /// Keeps a data stream running as long as it lives.
 class PassiveClient::State::Stream : public Subscription::Registration {
  public:
-  Stream(State& state, const detail::StreamListeners::Key& key,
-         detail::StreamListeners::Listener listener, detail::Delivery::Registration samples)
-      : state_(state), key_(key), listener_(listener), samples_(std::move(samples)) {}
+  Stream(State& state, detail::StreamListeners::Key key, detail::StreamListeners::Listener listener,
+         detail::Delivery::Registration samples)
+      : state_(state), key_(std::move(key)), listener_(listener), samples_(std::move(samples)) {}
   Stream(const Stream&) = delete;
   Stream& operator=(const Stream&) = delete;
-  // NOLINTNEXTLINE(bugprone-exception-escape): throws only when out of memory
   ~Stream() override {
     samples_.reset();
     state_.leave_stream(key_, listener_);

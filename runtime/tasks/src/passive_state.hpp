@@ -28,7 +28,7 @@ class PassiveClient::State {
   void detect_line(SetLine set_line, std::function<void(const Result<void>&)> done);
   void set_line(const LineSettings& line) { dialogue_.set_line(line); }
   /// Changes to the newest framing of the board, if the board answers in it.
-  void change_framing(std::function<void()> done);
+  void change_framing(const std::function<void()>& done);
   TaskMachine& start(TaskMachine& task, std::function<void()> finish);
   void receive(std::span<const std::uint8_t> bytes, Instant now);
   std::span<const std::uint8_t> advance(Instant now);

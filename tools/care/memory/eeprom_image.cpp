@@ -56,15 +56,17 @@ std::optional<EepromImage> parse_image(std::string_view content) {
   const bool has_line =
       start.find(image_format) != std::string_view::npos || sum_at != std::string_view::npos;
   if (!has_line) return std::nullopt;
-  const CommandError damaged("the EEPROM image was changed, or is incomplete");
+  const auto damaged = [] {
+    return CommandError("the EEPROM image was changed, or is incomplete");
+  };
   if (end == std::string_view::npos || sum_at == std::string_view::npos || sum_at > end) {
-    throw damaged;
+    throw damaged();
   }
   const std::string_view line = content.substr(0, sum_at);
   const std::string_view data = content.substr(end + 1);
   if (content.substr(sum_at, end - sum_at) !=
       fmt::format("{}{}\"}}", sum_key, image_sum(line, data))) {
-    throw damaged;
+    throw damaged();
   }
   const Result<Json> facts =
       detail::parse_own_json(std::string(line) + '}', image_format, "an EEPROM image");
@@ -73,7 +75,7 @@ std::optional<EepromImage> parse_image(std::string_view content) {
     throw CommandError("the EEPROM image is of a later version of sbgc");
   }
   try {
-    if (facts->at("size").get<std::size_t>() != data.size() || data.empty()) throw damaged;
+    if (facts->at("size").get<std::size_t>() != data.size() || data.empty()) throw damaged();
     return EepromImage{facts->at("model").get<std::string>(),
                        facts->at("firmware").get<std::string>(),
                        facts->at("frw_extra_id").get<std::uint32_t>(),
@@ -81,7 +83,7 @@ std::optional<EepromImage> parse_image(std::string_view content) {
                        facts->at("address").get<std::uint32_t>(),
                        {data.begin(), data.end()}};
   } catch (const Json::exception&) {
-    throw damaged;
+    throw damaged();
   }
 }
 

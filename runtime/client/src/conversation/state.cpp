@@ -137,7 +137,6 @@ class Conversation::State::StreamHold : public Subscription::Registration {
         listener_(listener) {}
   StreamHold(const StreamHold&) = delete;
   StreamHold& operator=(const StreamHold&) = delete;
-  // NOLINTNEXTLINE(bugprone-exception-escape): throws only when out of memory
   ~StreamHold() override {
     membership_.reset();
     if (const auto state = state_.lock()) state->leave_stream(key_, listener_);

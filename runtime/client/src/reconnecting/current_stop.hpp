@@ -11,7 +11,7 @@ namespace sbgc::detail {
 /// Stops the current step, and each later one as soon as it is set. Thread-safe.
 class CurrentStop {
  public:
-  void set(Stop step) {
+  void set(const Stop& step) {
     {
       const std::lock_guard lock(mutex_);
       step_ = step;

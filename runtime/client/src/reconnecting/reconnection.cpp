@@ -41,9 +41,11 @@ class Reconnection::Hold : public Subscription::Registration {
 
 /// A call of an asynchronous client.
 struct Reconnection::PendingCall {
-  PendingCall(Prepare prepares, const CallOptions& with, Time last,
-              Completion<Result<Reply>> completes)
-      : prepare(std::move(prepares)), options(with), deadline(last), done(std::move(completes)) {}
+  PendingCall(Prepare prepares, CallOptions with, Time last, Completion<Result<Reply>> completes)
+      : prepare(std::move(prepares)),
+        options(std::move(with)),
+        deadline(last),
+        done(std::move(completes)) {}
 
   Prepare prepare;
   CallOptions options;
@@ -53,11 +55,11 @@ struct Reconnection::PendingCall {
 };
 
 Reconnection::Reconnection(std::string address, TransportFactory make, ReconnectOptions options,
-                           const asio::any_io_executor& executor)
+                           asio::any_io_executor executor)
     : options_(std::move(options)),
       address_(std::move(address)),
       make_(std::move(make)),
-      executor_(executor),
+      executor_(std::move(executor)),
       adapter_(address_, options_.list_ports) {
   if (executor_) strand_.emplace(executor_);
 }
@@ -330,7 +332,7 @@ Subscription Reconnection::on_frame(std::function<void(const BoardFrame&)> handl
 }
 
 Reconnection::Kept Reconnection::kept_stream(const Stream& stream, const CallOptions& options) {
-  const auto kept = std::make_shared<KeptHandler>(
+  auto kept = std::make_shared<KeptHandler>(
       [prepare = stream.prepare, key = stream.key](const Conversation& conversation,
                                                    const MessageHandler& pass_on,
                                                    const CallOptions& with) {

@@ -38,7 +38,7 @@ class Reconnection final : public Link, public std::enable_shared_from_this<Reco
 
   /// Without a factory, connects to the address.
   Reconnection(std::string address, TransportFactory make, ReconnectOptions options,
-               const asio::any_io_executor& executor = {});
+               asio::any_io_executor executor = {});
   Reconnection(const Reconnection&) = delete;
   Reconnection& operator=(const Reconnection&) = delete;
   ~Reconnection() override = default;

@@ -29,9 +29,9 @@ struct NeededSize {
 /// be compiled for each of them.
 struct FlagTrial {
   NeededSize& needed;
-  std::size_t body_size;
-  std::size_t (*size)(const void* message);
-  const void* message;
+  std::size_t body_size{};
+  std::size_t (*size)(const void* message){};
+  const void* message{};
   std::size_t candidates = 0;
 
   template <class Member>
@@ -60,7 +60,7 @@ struct FlagTrial {
 };
 
 template <class M, class... Context>
-NeededSize needed_size(std::span<const std::uint8_t> body, Context... context) {
+NeededSize needed_size([[maybe_unused]] std::span<const std::uint8_t> body, Context... context) {
   NeededSize needed{.size = fixed_size<M>};
   if constexpr (HasVaryingMembers<M>) {
     // Missing bytes read as zero; there are more of them than any message needs.

@@ -28,7 +28,7 @@ struct ResponsePoint {
 struct FrequencyResponse {
   double resolution = 0;     ///< Hz between two points
   std::size_t segments = 0;  ///< in the average; 0: there is no response
-  std::vector<ResponsePoint> points;
+  std::vector<ResponsePoint> points{};
 };
 
 /// The fewest samples of a segment.

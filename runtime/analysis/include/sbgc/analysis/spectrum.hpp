@@ -18,7 +18,7 @@ struct PowerSpectrum {
   double resolution = 0;     ///< Hz between two bins.
   std::size_t segments = 0;  ///< Segments in the average; 0: there is no spectrum.
   std::vector<double>
-      density;  ///< Square of the signal's unit per Hz, from 0 Hz to half the sample rate.
+      density{};  ///< Square of the signal's unit per Hz, from 0 Hz to half the sample rate.
 
   /// The mean square of the part of the signal in these bins: the sum of density * resolution.
   [[nodiscard]] double power(std::size_t first_bin, std::size_t last_bin) const;
@@ -28,7 +28,7 @@ struct PowerSpectrum {
 struct CrossSpectrum {
   PowerSpectrum input;
   PowerSpectrum output;
-  std::vector<std::complex<double>> cross;  ///< Average of conj(input) * output, as a density.
+  std::vector<std::complex<double>> cross{};  ///< Average of conj(input) * output, as a density.
 };
 
 /// The power spectrum of samples, `rate` of them a second, in segments of `length`, an even number.

@@ -66,6 +66,7 @@ class AsyncClient {
   AsyncClient& operator=(AsyncClient&&) noexcept = default;
   AsyncClient(const AsyncClient&) = delete;
   AsyncClient& operator=(const AsyncClient&) = delete;
+  ~AsyncClient() = default;
 
   asio::any_io_executor executor() const { return executor_; }
 
@@ -156,19 +157,28 @@ class AsyncClient {
                            std::forward<Token>(token));
   }
 
+  /// The same for a message whose type is known only at run time, as Client::stream().
+  template <class Token>
+  auto async_stream(const MessageType& type, const roles::StreamRequest& request,
+                    std::function<void(const AnyMessage&)> handler, const CallOptions& options,
+                    Token&& token) {
+    return start_stream(
+        detail::stream_of(type, request, detail::any_handler(type, std::move(handler)), options),
+        options, token);
+  }
+
   /// Like Client::stream_raw(). Handler: void(Result<Subscription>).
-  template <class Token, class Request = roles::StreamRequest>
-  auto async_stream_raw(std::type_identity_t<Request> request,
+  template <class Token>
+  auto async_stream_raw(const roles::StreamRequest& request,
                         std::function<void(const Frame&)> handler, const CallOptions& options,
                         Token&& token) {
     return start_stream(detail::raw_stream_of(request, std::move(handler), options), options,
                         token);
   }
-  template <class Token, class Request = roles::StreamRequest>
-  auto async_stream_raw(std::type_identity_t<Request> request,
+  template <class Token>
+  auto async_stream_raw(const roles::StreamRequest& request,
                         std::function<void(const Frame&)> handler, Token&& token) {
-    return async_stream_raw<Token, Request>(std::move(request), std::move(handler), CallOptions(),
-                                            std::forward<Token>(token));
+    return async_stream_raw(request, std::move(handler), CallOptions(), std::forward<Token>(token));
   }
 
   /// Like Client::run(): drives any of sbgc::tasks, or a task of your own, for example

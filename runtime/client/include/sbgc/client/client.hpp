@@ -106,6 +106,11 @@ class Client : public TaskCalls<Client> {
   Subscription subscribe(std::function<void(const M&)> handler) {
     return link_->subscribe(detail::key_of<M>, detail::typed_handler<M>(std::move(handler)));
   }
+  /// The same for a message whose type is known only at run time; see <sbgc/any.hpp>.
+  Subscription subscribe(const MessageType& type, std::function<void(const AnyMessage&)> handler) {
+    return link_->subscribe(detail::key_of_type(type),
+                            detail::any_handler(type, std::move(handler)));
+  }
 
   /// Calls `handler` for all other events: resets, errors, the loss of the line.
   Subscription on_notice(std::function<void(const Notice&)> handler) {
@@ -160,11 +165,20 @@ class Client : public TaskCalls<Client> {
         options);
   }
 
+  /// The same for a message whose type is known only at run time, one of stream_types(). Fails with
+  /// ErrorCode::invalid for another.
+  Result<Subscription> stream(const MessageType& type, const roles::StreamRequest& request,
+                              std::function<void(const AnyMessage&)> handler,
+                              const CallOptions& options = {}) {
+    return link_->stream(
+        detail::stream_of(type, request, detail::any_handler(type, std::move(handler)), options),
+        options);
+  }
+
   /// Makes the board send a data stream of any message, also of one that is not known here:
   /// `request` has its id, the interval and the configuration. `handler` gets the bytes of each
   /// frame with this id, valid during the call.
-  template <class Request = roles::StreamRequest>
-  Result<Subscription> stream_raw(const std::type_identity_t<Request>& request,
+  Result<Subscription> stream_raw(const roles::StreamRequest& request,
                                   std::function<void(const Frame&)> handler,
                                   const CallOptions& options = {}) {
     return link_->stream(detail::raw_stream_of(request, std::move(handler), options), options);

@@ -53,10 +53,9 @@ class Conversation {
     return detail::prepare(message, versions(), options.validate);
   }
 
-  /// Returns the error if this board has no data stream of M.
-  template <Message M>
-  std::optional<ClientError> stream_refusal() const {
-    return detail::stream_refusal(message_type<M>(), versions());
+  /// Returns the error if this board has no data stream of the message.
+  std::optional<ClientError> stream_refusal(const MessageType& type) const {
+    return detail::stream_refusal(type, versions());
   }
 
   /// Prepares a request that is sent as it is.

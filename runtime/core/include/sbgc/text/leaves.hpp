@@ -255,6 +255,13 @@ class LeafWalk {
         return;
     }
   }
+  /// Walks over all values without using them, for those that select the unit of another.
+  void skip(const StructTable& table, const void* object) {
+    const Use use = std::exchange(use_, [](void*, const Leaf&) {});
+    members(table, object);
+    use_ = use;
+    offset_ = 0;
+  }
   void axes(const FieldInfo& field, const ValueType& type, const void* at, const FieldPath& path) {
     for (std::size_t i = 0; i < type.count; ++i) {
       value(field, *type.element, element_at(type, at, i),
@@ -371,6 +378,7 @@ class LeafWalk {
     return path.name == name || (path.parent != nullptr && leads_through(*path.parent, name));
   }
 
+ private:
   Use use_;
   void* user_;
   Availability versions_;

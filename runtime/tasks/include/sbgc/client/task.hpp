@@ -329,7 +329,7 @@ struct Waiting {
 /// With a constructor, because g++ 12 copies the bytes of a temporary aggregate.
 template <Callable M>
 struct Calling {
-  Calling(const M& to_send, CallOptions with) : request(to_send), options(std::move(with)) {}
+  Calling(M to_send, CallOptions with) : request(std::move(to_send)), options(std::move(with)) {}
 
   M request;
   CallOptions options;

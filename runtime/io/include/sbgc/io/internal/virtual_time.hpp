@@ -23,6 +23,7 @@ namespace sbgc::io::detail {
 class VirtualTime : public asio::execution_context::service {
  public:
   using key_type = VirtualTime;
+  // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): Asio wants it so
   static inline asio::execution_context::id id{};
 
   /// The context must be an io_context.
