@@ -1,7 +1,7 @@
 """Each rule has at least one small spec that breaks it, and is reported at the right position.
 
-`fixtures/SBGC010.txt` has the specs that break that rule: the name of each, and the lines of `probe.yaml`
-that differ from BASE (see support.probe). A caret marks the place of a finding in the line above it:
+`broken_specs.txt` has, below `=== SBGC010`, the specs that break that rule: the name of each, and the lines
+of `probe.yaml` that differ from BASE (see support.probe). A caret marks the place of a finding in the line above it:
 
     == misspelt_key
             - {name: A, typ: u8, summary: A number.}
@@ -55,9 +55,10 @@ def _whole(base: str, lines: str) -> str:
     return lines
 
 
-def read(path: Path) -> Iterator[Fixture]:
+def read(section: str) -> Iterator[Fixture]:
     """The fixtures of a rule."""
-    for part in re.split("(?m)^== ", path.read_text(encoding="utf-8"))[1:]:
+    rule, specs = section.split("\n", 1)
+    for part in re.split("(?m)^== ", specs)[1:]:
         head, lines = part.split("\n", 1)
         name, _, base = head.partition(": ")
         file = base.split(" ")[-1] or PROBE
@@ -66,19 +67,20 @@ def read(path: Path) -> Iterator[Fixture]:
         for line in _whole(base, lines).splitlines(keepends=True):
             found = _FOUND.match(line)
             if found is None:
-                assert not line.lstrip().startswith("^"), f"{path.name}: malformed: {line}"
+                assert not line.lstrip().startswith("^"), f"{rule}: malformed: {line}"
                 text.append(line)
                 continue
             indentation, other, row, column, code, message, hint = found.groups()
             at = Position(f"spec/{file}", len(text), len(indentation) + 1)
             if other:
                 at = Position(f"spec/{other}", int(row), int(column))
-            expected.append((at, code or path.stem, message, hint))
+            expected.append((at, code or rule, message, hint))
         expected.sort(key=lambda finding: finding[0])
-        yield Fixture(path.stem, name, file, "".join(text), expected)
+        yield Fixture(rule, name, file, "".join(text), expected)
 
 
-FIXTURES = [f for path in sorted((HERE / "spec" / "fixtures").iterdir()) for f in read(path)]
+_TEXT = (HERE / "spec" / "broken_specs.txt").read_text(encoding="utf-8")
+FIXTURES = [f for section in re.split("(?m)^=== ", _TEXT)[1:] for f in read(section)]
 
 
 @pytest.mark.parametrize("fixture", FIXTURES, ids=lambda f: f"{f.rule}_{f.name}")
