@@ -42,6 +42,7 @@ struct Score {
   bool is_bare = false;  ///< frames without start bytes, and nothing else
   bool begins_frame = false;
 
+  // NOLINTNEXTLINE(modernize-use-nullptr, readability-implicit-bool-conversion): of the compiler
   auto operator<=>(const Score&) const = default;
   bool is_none() const { return in_frames == 0 && !is_bare && !begins_frame; }
 };

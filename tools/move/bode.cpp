@@ -137,6 +137,7 @@ std::vector<PlannedRecording> plan_recordings(const BodeCommand& command,
 /// Throws CommandError if a file cannot be written, or two are the same: before the camera shakes.
 void check_files(const BodeCommand& command, const std::vector<PlannedRecording>& plan) {
   std::vector<std::string> files;
+  files.reserve(plan.size() + 1);
   for (const PlannedRecording& one : plan) files.push_back(one.file);
   files.push_back(command.svg);
   std::erase(files, "");

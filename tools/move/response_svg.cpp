@@ -30,6 +30,7 @@ LinePlot plot_of(const std::vector<NamedResponse>& responses, const char* title,
 
 std::string response_svg(const std::vector<NamedResponse>& responses) {
   std::vector<std::string> names;
+  names.reserve(responses.size());
   for (const NamedResponse& one : responses) names.push_back(one.name);
   LinePlot gain = plot_of(responses, "Gain in dB", &ResponsePoint::gain);
   LinePlot phase = plot_of(responses, "Phase in degrees", &ResponsePoint::phase);

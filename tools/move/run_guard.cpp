@@ -54,7 +54,7 @@ Result<void> stop_gimbal(const GuardedLine& line) {
   const bool has_timeouts = is_supported<msg::ControlConfig>(client->identity().versions());
   if (does(AfterStop::remove_timeout) && has_timeouts) {
     // Before the timeout is over, which is no longer than the rest of a stop.
-    if (const Result<void> removed = client->set_control_timeout({}); !removed) return removed;
+    if (Result<void> removed = client->set_control_timeout({}); !removed) return removed;
   }
   return client->stop();
 }

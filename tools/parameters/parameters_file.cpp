@@ -46,9 +46,10 @@ ParametersFile load_parameters_file(const std::string& name) {
   };
   if (detail::foreign_kind(content) == detail::vendor_xml) {
     Result<VendorFile> vendor = parse_vendor_file(content);
-    if (!vendor)
+    if (!vendor) {
       fail_with(
           {vendor.error().code, fmt::format("{}: {}", detail::vendor_xml, vendor.error().message)});
+    }
     result.backup.board = vendor->board;
     result.vendor = *std::move(vendor);
   } else {

@@ -20,10 +20,10 @@ bool is_still(const msg::GetAngles& state) {
 }
 
 OwedStop owed_for(const RawRequest& request) {
-  if (request.id != static_cast<std::uint8_t>(msg::MotorsOff::command)) return OwedStop();
+  if (request.id != static_cast<std::uint8_t>(msg::MotorsOff::command)) return {};
   const MessageType* const type =
       find_message(Direction::to_board, request.id, request.body.size());
-  if (type == nullptr) return OwedStop();
+  if (type == nullptr) return {};
   AnyMessage message(*type);
   return message.decode(request.body) ? OwedStop(std::move(message)) : OwedStop();
 }

@@ -94,6 +94,7 @@ std::optional<Effect> effect_of_word(std::string_view word) {
 
 std::vector<std::string> known_effect_words() {
   std::vector<std::string> words;
+  words.reserve(effect_texts.size());
   for (const EffectText& text : effect_texts) words.emplace_back(text.word);
   return words;
 }

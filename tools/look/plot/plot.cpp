@@ -79,6 +79,7 @@ std::vector<Series> live_table(const PlotOptions& options, const CommandContext&
   if (options.with.empty()) stream.configure_for(options.fields);
   const std::vector<StreamField> all = stream.fields();
   std::vector<std::string> paths;
+  paths.reserve(all.size());
   for (const StreamField& field : all) paths.push_back(field.path);
   const std::vector<bool> chosen =
       chosen_fields(options.fields, *find_message(stream.info().name), paths);
@@ -197,6 +198,7 @@ int plot(PlotOptions options, const CommandContext& context) {
   });
   if (shown.empty()) throw CommandError("the columns hold no numbers");
   std::vector<Curve> curves;
+  curves.reserve(shown.size());
   for (const Series& series : shown) {
     curves.push_back(options.spectrum ? spectrum_of(columns, series)
                                       : over_time(columns.front().values, series));
