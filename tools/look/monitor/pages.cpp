@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <ctime>
-#include <ranges>
 #include <sstream>
 #include <utility>
 
@@ -454,9 +453,10 @@ Window draw_line(Screen& screen, View& view, const GimbalSnapshot& gimbal, const
       {},
       {"events", gimbal.log.empty() ? "none" : ""}};
   // The newest first.
-  for (const auto& entry : std::views::reverse(gimbal.log)) {
-    const std::time_t time = std::chrono::system_clock::to_time_t(entry.time);
-    texts.push_back({fmt::format("{:%H:%M:%S}", fmt::localtime(time)), entry.text});
+  // NOLINTNEXTLINE(modernize-loop-convert): clang 14 cannot compile std::views::reverse
+  for (auto entry = gimbal.log.rbegin(); entry != gimbal.log.rend(); ++entry) {
+    const std::time_t time = std::chrono::system_clock::to_time_t(entry->time);
+    texts.push_back({fmt::format("{:%H:%M:%S}", fmt::localtime(time)), entry->text});
   }
   return draw_texts(screen, view, texts, 20);
 }
