@@ -7,6 +7,7 @@ import subprocess
 import tempfile
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from pathlib import Path
 from textwrap import dedent
 from xml.etree.ElementTree import Element, parse
@@ -17,6 +18,8 @@ from sbgcgen.model import Enum, Layout, Packed, Quantity
 from sbgcgen.targets.site import uses
 
 SETTINGS = Path("docs/Doxyfile")
+# A line for each release: its version, and the names that it brought.
+SINCE = Path("docs/since.txt")
 # A declaration that is longer has a line for each parameter.
 _WIDTH = 90
 
@@ -36,6 +39,8 @@ class Item:
     line: int = 0
     # From the root of the site, with the anchor.
     page: str = ""
+    # The release that brought the name; "" if none has it yet.
+    since: str = ""
 
     @property
     def sentence(self) -> str:
@@ -88,6 +93,29 @@ def headers_of(project: Path, layout: Layout) -> list[Header]:
             for found in parse(path).getroot().iter("compounddef")
         ]
     return _Reader(project, layout, compounds).headers()
+
+
+def record_names(project: Path, layout: Layout, version: str) -> None:
+    """Notes the release that brought each name which no earlier one had."""
+    names = [n for h in headers_of(project, layout) for i in h.items for n in _names(i) if not n.since]
+    if names:
+        words = sorted({name.anchor for name in names})
+        with (project / SINCE).open("a", encoding="utf-8") as file:
+            file.write(f"{version}: {' '.join(words)}\n")
+
+
+def _names(item: Item) -> Iterator[Item]:
+    yield item
+    for member in item.members:
+        yield from _names(member)
+
+
+def _since(project: Path) -> dict[str, str]:
+    """The releases by the anchors of the names that they brought."""
+    path = project / SINCE
+    lines = path.read_text("utf-8").splitlines() if path.is_file() else []
+    releases = (line.split(": ", 1) for line in lines)
+    return {name: version for version, names in releases for name in names.split()}
 
 
 def linked(code: str, headers: Sequence[Header], layout: Layout) -> Markup:
@@ -145,6 +173,7 @@ class _Reader:
         self.pages: dict[str, str] = {}  # by the id of Doxygen
         self.compounds = {compound.get("id"): compound for compound in compounds}
         self.types = _types(layout)
+        self.since = _since(project)
         self.includes = {"sbgc/client/calls.hpp": "messages.html"}
         for path in self.files:
             include = path.partition("/include/")[2]
@@ -257,7 +286,8 @@ class _Reader:
         inherited = tuple(self._inherited(element))
         name, anchor = self._name(element), page.partition("#")[2]
         line = 0 if element.tag == "enumvalue" else _location(element)[1]
-        return Item(kind, name, anchor, code, text, members, inherited, line, page)
+        since = self.since.get(anchor, "")
+        return Item(kind, name, anchor, code, text, members, inherited, line, page, since)
 
     def _inherited(self, element: Element) -> Iterator[tuple[str, tuple[Item, ...]]]:
         for reference in element.findall("basecompoundref"):
@@ -399,7 +429,24 @@ class _Reader:
     # Descriptions
 
     def _description(self, element: Element) -> Markup:
-        return Markup(Markup().join(map(self._block, self._description_parts(element))).strip())
+        text = Markup().join(map(self._block, self._description_parts(element))).strip()
+        # Those of a function are a paragraph of their own, with links.
+        return Markup(re.sub(r"(?:<p>|\s)Errors(?=[:,]\s)(.*?</p>)", self._errors, str(text), flags=re.S))
+
+    def _errors(self, match: re.Match[str]) -> str:
+        def link(code: re.Match[str]) -> str:
+            page = self.codes.get(code[1])
+            return str(_link(page, code[1])) if page else code[0]
+
+        start = match[0][:3] == "<p>"
+        text = re.sub(r"<code>(\w+)</code>", link, match[1])
+        return f"{'' if start else '</p>'}<p><strong>Errors</strong>{text}"
+
+    @cached_property
+    def codes(self) -> dict[str, str]:
+        """The pages of the values of ErrorCode."""
+        pages = self.pages.values()
+        return {p.partition("#ErrorCode.")[2]: p for p in pages if "#ErrorCode." in p}
 
     @staticmethod
     def _description_parts(element: Element) -> list[Element]:
