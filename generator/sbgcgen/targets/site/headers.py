@@ -7,7 +7,6 @@ import subprocess
 import tempfile
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
 from pathlib import Path
 from textwrap import dedent
 from xml.etree.ElementTree import Element, parse
@@ -172,6 +171,14 @@ class _Reader:
             self.declared[_location(element)[0]].append(element)
         self.pages: dict[str, str] = {}  # by the id of Doxygen
         self.compounds = {compound.get("id"): compound for compound in compounds}
+        # The values of ErrorCode, with the ids of Doxygen.
+        self.codes = {
+            _text_of(value, "name"): value.get("id", "")
+            for compound in compounds
+            for enum in compound.iter("memberdef")
+            if enum.findtext("name") == "ErrorCode"
+            for value in enum.iter("enumvalue")
+        }
         self.types = _types(layout)
         self.since = _since(project)
         self.includes = {"sbgc/client/calls.hpp": "messages.html"}
@@ -338,7 +345,7 @@ class _Reader:
             derived = Markup(" : ") + Markup(", ").join(bases) if bases else Markup()
             return template + Markup(f"{kind} {name}") + derived
         if kind == "concept":
-            return Markup(escape(_text_of(element, "initializer").replace(f"sbgc::{name}", name)))
+            return Markup(str(self._linked(element.find("initializer"))).replace(f"sbgc::{name}", name))
         type_ = self._linked(element.find("type"))
         if kind == "typedef":
             return template + Markup("using {} = {}").format(name, type_)
@@ -435,18 +442,12 @@ class _Reader:
 
     def _errors(self, match: re.Match[str]) -> str:
         def link(code: re.Match[str]) -> str:
-            page = self.codes.get(code[1])
+            page = self.pages.get(self.codes.get(code[1], ""))
             return str(_link(page, code[1])) if page else code[0]
 
         start = match[0][:3] == "<p>"
         text = re.sub(r"<code>(\w+)</code>", link, match[1])
         return f"{'' if start else '</p>'}<p><strong>Errors</strong>{text}"
-
-    @cached_property
-    def codes(self) -> dict[str, str]:
-        """The pages of the values of ErrorCode."""
-        pages = self.pages.values()
-        return {p.partition("#ErrorCode.")[2]: p for p in pages if "#ErrorCode." in p}
 
     @staticmethod
     def _description_parts(element: Element) -> list[Element]:

@@ -82,7 +82,7 @@ struct RestoreOptions {
   bool validate = false;
   /// For the whole operation.
   std::chrono::milliseconds timeout{180'000};
-  ProgressHandler progress{};
+  ProgressHandler progress{};  ///< returning false ends it with ErrorCode::cancelled
 };
 
 /// Says whether restore() takes a backup of that board for this one. Errors: `incompatible`.
