@@ -58,10 +58,16 @@ def test_the_names_in_the_table_of_headers_are_there(headers: dict[str, Header])
 
 def functions(header: Header) -> Iterator[tuple[str, Item]]:
     for item in header.items:
-        yield from ((f"{header.include}: {i.name}", i) for i in (item, *item.members) if i.kind == "function")
+        yield from (
+            (f"{header.include}: {i.name}", i)
+            for i in (item, *item.members)
+            if i.kind == "function"
+        )
 
 
-def test_each_function_of_the_client_has_a_sentence_and_its_errors(headers: dict[str, Header]) -> None:
+def test_each_function_of_the_client_has_a_sentence_and_its_errors(
+    headers: dict[str, Header]
+) -> None:
     found = {
         name: item
         for include, header in headers.items()
@@ -84,8 +90,16 @@ def test_each_function_of_the_client_has_a_sentence_and_its_errors(headers: dict
 
 def test_the_errors_of_a_function_are_links(headers: dict[str, Header]) -> None:
     items = {item.name: item for item in headers["sbgc/client/motion.hpp"].items}
-    assert '<a href="ROOT/headers/error.html#ErrorCode.interrupted">interrupted</a>' in items["move_to"].text
-    linked = [item for header in headers.values() for item in header.items if "ROOT/headers/error" in item.text]
+    assert (
+        '<a href="ROOT/headers/error.html#ErrorCode.interrupted">interrupted</a>'
+        in items["move_to"].text
+    )
+    linked = [
+        item
+        for header in headers.values()
+        for item in header.items
+        if "ROOT/headers/error" in item.text
+    ]
     assert len(linked) > 20
 
 
@@ -100,5 +114,7 @@ def test_names_tell_the_release_that_brought_them(headers: dict[str, Header]) ->
     (client,) = (item for item in headers["sbgc/client/client.hpp"].items if item.name == "Client")
     since = {member.name: member.since for member in client.members}
     assert client.since == since["call"] == "0.1.0"
-    releases = re.findall(r"^## \[(.*)\]", (PROJECT / "CHANGELOG.md").read_text("utf-8"), re.MULTILINE)
+    releases = re.findall(
+        r"^## \[(.*)\]", (PROJECT / "CHANGELOG.md").read_text("utf-8"), re.MULTILINE
+    )
     assert {item.since for header in headers.values() for item in header.items} <= {"", *releases}

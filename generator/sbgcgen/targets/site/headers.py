@@ -96,7 +96,9 @@ def headers_of(project: Path, layout: Layout) -> list[Header]:
 
 def record_names(project: Path, layout: Layout, version: str) -> None:
     """Notes the release that brought each name which no earlier one had."""
-    names = [n for h in headers_of(project, layout) for i in h.items for n in _names(i) if not n.since]
+    names = [
+        n for h in headers_of(project, layout) for i in h.items for n in _names(i) if not n.since
+    ]
     if names:
         words = sorted({name.anchor for name in names})
         with (project / SINCE).open("a", encoding="utf-8") as file:
@@ -345,7 +347,9 @@ class _Reader:
             derived = Markup(" : ") + Markup(", ").join(bases) if bases else Markup()
             return template + Markup(f"{kind} {name}") + derived
         if kind == "concept":
-            return Markup(str(self._linked(element.find("initializer"))).replace(f"sbgc::{name}", name))
+            return Markup(
+                str(self._linked(element.find("initializer"))).replace(f"sbgc::{name}", name)
+            )
         type_ = self._linked(element.find("type"))
         if kind == "typedef":
             return template + Markup("using {} = {}").format(name, type_)
@@ -438,7 +442,9 @@ class _Reader:
     def _description(self, element: Element) -> Markup:
         text = Markup().join(map(self._block, self._description_parts(element))).strip()
         # Those of a function are a paragraph of their own, with links.
-        return Markup(re.sub(r"(?:<p>|\s)Errors(?=[:,]\s)(.*?</p>)", self._errors, str(text), flags=re.S))
+        return Markup(
+            re.sub(r"(?:<p>|\s)Errors(?=[:,]\s)(.*?</p>)", self._errors, str(text), flags=re.S)
+        )
 
     def _errors(self, match: re.Match[str]) -> str:
         def link(code: re.Match[str]) -> str:
