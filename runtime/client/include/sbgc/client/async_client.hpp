@@ -161,7 +161,8 @@ class AsyncClient {
                            std::forward<Token>(token));
   }
 
-  /// The same for a message whose type is known only at run time. Errors: those of Client::stream().
+  /// The same for a message whose type is known only at run time. Errors: those of
+  /// Client::stream().
   template <class Token>
   auto async_stream(const MessageType& type, const roles::StreamRequest& request,
                     std::function<void(const AnyMessage&)> handler, const CallOptions& options,
