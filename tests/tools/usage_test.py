@@ -239,6 +239,24 @@ def test_help_is_as_wide_as_the_terminal() -> None:
     assert shown == lines_of_help(["ports", "--help"], COLUMNS="61")[: len(shown)]
 
 
+def test_errors_are_red_on_a_terminal() -> None:
+    def shown(**environment: str) -> str:
+        master, slave = pty.openpty()
+        names = {**os.environ, "TERM": "xterm", "NO_COLOR": "", **environment}
+        subprocess.run([PROGRAM, "movee"], stderr=slave, env=names, timeout=60, check=False)
+        os.close(slave)
+        text = os.read(master, 4096).decode()
+        os.close(master)
+        return text.replace("\r\n", "\n")
+
+    colored = shown()
+    assert colored.startswith("\x1b[1m\x1b[31msbgc:\x1b[0m\x1b[0m unknown command 'movee'")
+    assert "\x1b[32m'move'\x1b[0m" in colored and "\x1b[32msbgc --help\x1b[0m" in colored
+    plain = run("movee").error
+    assert re.sub(r"\x1b\[\d+m", "", colored) == plain
+    assert "\x1b" not in plain and shown(NO_COLOR="1") == plain == shown(TERM="dumb")
+
+
 @pytest.mark.parametrize("command", ["decode", "encode"])
 def test_input_that_cannot_be_read(command: str, tmp_path: Path) -> None:
     missing = run(command, str(tmp_path / "missing"))

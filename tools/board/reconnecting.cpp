@@ -33,7 +33,7 @@ Subscription report_changes(Client& client) {
     switch (change.state) {
       case LinkState::lost:
       case LinkState::other_board:
-      case LinkState::given_up: return remark("sbgc: {}\n", change.message);
+      case LinkState::given_up: return remark_failure(change.message);
       case LinkState::searching: return remark("sbgc: connecting again ...\n");
       case LinkState::connected: return remark("sbgc: connected again: {}\n", change.message);
       case LinkState::closed: return;

@@ -153,8 +153,8 @@ std::string to_text(const RejectedCandidate& candidate) {
             ? "if they come from a serial line, its baud rate or parity may be wrong"
             : "a frame is a start byte, its id, its size, the sum of both, the body and a checksum";
   }
-  remark("sbgc: found no frame in {}{}{}{}\n", counted(size, "byte"), reading,
-         guess.empty() ? "" : "; ", guess);
+  remark_failure(fmt::format("found no frame in {}{}{}{}", counted(size, "byte"), reading,
+                             guess.empty() ? "" : "; ", guess));
   for (const RejectedCandidate& candidate : rejected) {
     if (is_meant && !shows_gaps && candidate.has_header) remark("{}", to_text(candidate));
   }
@@ -163,8 +163,9 @@ std::string to_text(const RejectedCandidate& candidate) {
 
 /// Reports frames none of which can be decoded. JSON lines say so themselves.
 [[nodiscard]] int unreadable(std::uint64_t frames) {
-  remark("sbgc: {} with sound checksums, but {} its command\n", counted(frames, "frame"),
-         frames == 1 ? "the body does not fit" : "no body fits");
+  remark_failure(fmt::format("{} with sound checksums, but {} its command",
+                             counted(frames, "frame"),
+                             frames == 1 ? "the body does not fit" : "no body fits"));
   return failure;
 }
 

@@ -47,7 +47,7 @@ int encode_file(const EncodeOptions& options) {
     try {
       write(encode_line(line, options.rules), options.hex);
     } catch (const std::runtime_error& error) {
-      remark("sbgc: line {}: {}\n", number, clipped(error.what()));
+      remark_failure(fmt::format("line {}: {}", number, clipped(error.what())));
       status = failure;
     }
   }

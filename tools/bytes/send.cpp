@@ -175,7 +175,7 @@ Outgoing message_for_any(const Wanted& wanted, const SendOptions& options) {
 /// Warns of enum values without a name, which the board may not know either.
 void warn_of_unnamed(const AnyMessage& message) {
   for_each_unnamed(message, [](const std::string& path, const std::string& sentence) {
-    remark("sbgc: warning: {}: {}\n", path, sentence);
+    remark_warning(fmt::format("{}: {}", path, sentence));
   });
 }
 

@@ -57,4 +57,11 @@ void remark(fmt::format_string<Args...> format, Args&&... args) {
   remark_as_is(message_text(printable(fmt::format(format, std::forward<Args>(args)...))));
 }
 
+/// Prints "sbgc: " and a problem, then the advice as lines of their own. With colors, "sbgc:" is
+/// bold and red; what the text proposes, and the commands in it, are green.
+void remark_failure(const std::string& problem, const std::string& advice = "");
+/// The same for something that does not end the command: "sbgc: warning: ", of which the first two
+/// words are yellow.
+void remark_warning(const std::string& problem);
+
 }  // namespace sbgc::tools

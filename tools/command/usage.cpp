@@ -189,7 +189,7 @@ int report_usage_error(const CLI::App& app, const CLI::ParseError& error) {
 }
 
 int report_usage_error(const CLI::App& command, const std::string& problem) {
-  remark("sbgc: {}\nRun `{} --help` for help.\n", problem, full_name(command));
+  remark_failure(problem, fmt::format("Run `{} --help` for help.\n", full_name(command)));
   return wrong_usage;
 }
 

@@ -101,7 +101,7 @@ void BytePackets::stop() {
 int BytePackets::finish() {
   stop();
   if (parser_.counters().frames != 0 || end_ == 0) return success;
-  remark("sbgc: found no frame in {}\n", counted(end_, "byte"));
+  remark_failure("found no frame in " + counted(end_, "byte"));
   return failure;
 }
 

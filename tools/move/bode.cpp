@@ -256,7 +256,7 @@ bool save_recording(const BodeCommand& command, const std::string& file,
     write_local_file(file, {text.begin(), text.end()}, command.force);
   } catch (const CommandError& error) {
     if (!command.table && command.svg.empty()) throw;
-    remark("sbgc: {}\n", as_message(error.what()));
+    remark_failure(as_message(error.what()));
     return false;
   }
   remark("Saved {} to {}.\n", counted(recording.input.size(), "sample"), file);

@@ -57,11 +57,11 @@ class Reporter {
       if (Clock::now() < next) continue;
       next += interval;
       const std::lock_guard lock(mutex_);
-      remark("sbgc: not stopped yet: {}\n", what_);
+      remark_failure("not stopped yet: " + what_);
     }
   }
   [[noreturn]] static void leave() {
-    remark("sbgc: interrupted: the camera may still turn\n");
+    remark_failure("interrupted: the camera may still turn");
     background_stderr().finish();
     std::_Exit(interrupted);
   }

@@ -60,14 +60,14 @@ int main(int argc, char** argv) {
   try {
     status = tools::run(argc, argv);
   } catch (const tools::CommandError& error) {
-    tools::remark("sbgc: {}\n", tools::as_message(error.what()));
+    tools::remark_failure(tools::as_message(error.what()));
     status = error.status();
   } catch (const std::exception& error) {
     // A failed write to the standard output is reported below.
-    if (std::ferror(stdout) == 0) tools::remark("sbgc: {}\n", error.what());
+    if (std::ferror(stdout) == 0) tools::remark_failure(error.what());
   }
   // An earlier failed write sets the error flag even if there is nothing left to flush.
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
-  tools::remark("sbgc: cannot write to the standard output\n");
+  tools::remark_failure("cannot write to the standard output");
   return status == tools::success ? tools::failure : status;
 }

@@ -200,11 +200,11 @@ class CommandShell {
         status = execute(words.words, editor.is_interactive());
         if (was_key_pressed != 0) remark_as_is("\n");  // behind the ^C that the terminal shows
       } catch (const CommandError& error) {
-        remark("sbgc: {}\n", as_message(error.what()));
+        remark_failure(as_message(error.what()));
         status = error.status();
       }
       if (status == success || editor.is_interactive()) continue;
-      remark("sbgc: line {} failed; what follows was not run\n", number);
+      remark_failure(fmt::format("line {} failed; what follows was not run", number));
       return status;
     }
   }

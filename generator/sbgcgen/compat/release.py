@@ -12,6 +12,7 @@ from sbgcgen.compat.report import print_changes
 from sbgcgen.compat.revision import Version as Source
 from sbgcgen.compat.semver import lowest_version, parse, step_of
 from sbgcgen.model import Layout
+from sbgcgen.targets.site.headers import SINCE, record_names
 
 
 def check(layout: Layout, project: Path, spec_dir: Path) -> int:
@@ -51,5 +52,6 @@ def record(layout: Layout, project: Path, spec_dir: Path) -> int:
     if path.is_file() and read(path).version == version:
         return 0
     write(Release(version, fingerprint_of(layout), layout), path)
-    print(f"{spec_dir.name}/{NAME} is now the model of {version}")
+    record_names(project, layout, str(version))
+    print(f"{spec_dir.name}/{NAME} is now the model of {version}, and {SINCE} has its names")
     return 0

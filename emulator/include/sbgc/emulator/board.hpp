@@ -30,11 +30,11 @@ enum class Reaction : std::uint8_t {
 /// Counters of what a board has received and sent.
 struct BoardCounters {
   std::uint64_t requests{};  ///< frames from hosts
-  std::uint64_t refused{};
-  std::uint64_t unknown{};  ///< includes malformed ones
-  std::uint64_t lost{};     ///< the input buffer was full
-  std::uint64_t sent{};     ///< frames to hosts
-  std::uint64_t skipped{};  ///< stream samples skipped because the output buffer was full
+  std::uint64_t refused{};   ///< requests that the board answered with an error
+  std::uint64_t unknown{};   ///< includes malformed ones
+  std::uint64_t lost{};      ///< the input buffer was full
+  std::uint64_t sent{};      ///< frames to hosts
+  std::uint64_t skipped{};   ///< stream samples skipped because the output buffer was full
   std::uint64_t restarts{};
   std::uint64_t outputs_lost{};  ///< restarts that dropped pending output
 };
@@ -58,6 +58,7 @@ class Board {
   Board(const Board&) = delete;
   Board(Board&& other) noexcept;
   Board& operator=(const Board&) = delete;
+  /// Takes over the board, with its hosts.
   Board& operator=(Board&& other) noexcept;
   ~Board();
 
@@ -69,7 +70,9 @@ class Board {
   /// The host sends no more requests but still receives responses: only its data streams end.
   void end_input(std::size_t port);
 
+  /// Takes bytes from a host.
   void receive(std::size_t port, std::span<const std::uint8_t> bytes, Instant now);
+  /// Runs the board up to this time, which must not decrease.
   void advance(Instant now);
   /// The next time at which advance() has something to do; Instant::never if that depends on
   /// receive().
@@ -101,8 +104,11 @@ class Board {
   void memory_not_saved(std::uint32_t revision, Instant now);
   /// The firmware that hosts have loaded into modules; empty for an incomplete one.
   const std::map<msg::ModuleId, std::vector<std::uint8_t>>& module_firmware() const;
+  /// Returns the gimbal that the board drives.
   Gimbal& gimbal();
+  /// Returns the counters since the board was made.
   const BoardCounters& counters() const;
+  /// Returns the options that it was made with.
   const BoardOptions& options() const;
   /// The baud rate that SERIAL_SPEED selected at the last start.
   std::uint32_t baud_rate() const;
@@ -115,6 +121,7 @@ class Board {
     Frame frame{};
     std::optional<Reaction> reaction{};
   };
+  /// Called with each frame in both directions, unless empty.
   std::function<void(const Traffic&)> on_traffic{};
 
  private:

@@ -10,10 +10,10 @@ namespace sbgc::emulator {
 /// Faults that live data report. They do not change what the board does.
 struct BoardFaults {
   Flags<msg::SystemError> errors{};  ///< in addition to those that the board finds itself
-  msg::SystemSubError sub_error{};
-  double i2c_errors = 0;     ///< per second
-  double serial_errors = 0;  ///< per second, besides those of the line
-  Duration cycle{};          ///< of the controller; zero selects the usual one
+  msg::SystemSubError sub_error{};   ///< what the board reports; 0: none
+  double i2c_errors = 0;             ///< per second
+  double serial_errors = 0;          ///< per second, besides those of the line
+  Duration cycle{};                  ///< of the controller; zero selects the usual one
 };
 
 }  // namespace sbgc::emulator

@@ -14,8 +14,8 @@ namespace sbgc::emulator {
 
 /// The model and firmware of the emulated board, and the state in which it starts.
 struct BoardOptions {
-  msg::BoardVersion board{30};
-  msg::FirmwareVersion firmware{2590};
+  msg::BoardVersion board{30};          ///< as on the wire: 30 is 3.0
+  msg::FirmwareVersion firmware{2590};  ///< as on the wire: 2590 is 2.59b0
   msg::BoardFeatures features = msg::BoardFeature::three_axis | msg::BoardFeature::bat_monitoring |
                                 msg::BoardFeature::encoders | msg::BoardFeature::bode_test |
                                 msg::BoardFeature::scripting | msg::BoardFeature::current_sensor;
@@ -27,7 +27,7 @@ struct BoardOptions {
       msg::BoardFeaturesExt2Bit::quat_control | msg::BoardFeaturesExt2Bit::shake_generator;
   Bytes<9> device_id{{0x53, 0x42, 0x47, 0x43, 0, 0, 0, 0, 1}};
   Bytes<12> mcu_id{{'e', 'm', 'u', 'l', 'a', 't', 'e', 'd', 0, 0, 0, 1}};
-  bool has_frame_imu = true;
+  bool has_frame_imu = true;  ///< a second IMU, on the frame
   BoardFaults faults{};
   Gimbal::Options gimbal{};
   /// The size of the request queue in bytes; a request that does not fit is lost as a whole. 0

@@ -56,14 +56,18 @@ class Emulator {
   std::size_t queued_bytes(std::size_t port) const;
   /// Returns how many bytes the host should send at most for now. from_host() accepts more.
   std::size_t room(std::size_t port) const;
+  /// Takes bytes from a host.
   void from_host(std::size_t port, std::span<const std::uint8_t> bytes, Instant now);
   /// True if no request of the host is pending and all output for it has been taken.
   bool is_quiet(std::size_t port) const;
+  /// Runs line and board up to this time, which must not decrease.
   void advance(Instant now);
+  /// The next time at which advance() has something to do.
   Instant next() const;
   /// The bytes that have arrived at the host. take() removes them; precondition: size <=
   /// to_host(port).size().
   std::span<const std::uint8_t> to_host(std::size_t port) const;
+  /// Removes bytes that have been passed to the host.
   void take(std::size_t port, std::size_t size, Instant now);
 
   /// Turns the power off and on.
@@ -73,10 +77,12 @@ class Emulator {
   void memory_saved(std::uint32_t revision, Instant now);
   void memory_not_saved(std::uint32_t revision, Instant now);
 
+  /// Returns the board.
   Board& board() { return board_; }
   const Board& board() const { return board_; }
   /// The current settings of the board's end of the line.
   const LineSettings& line() const { return options_.line.board; }
+  /// Returns the counters of one direction of a line.
   const LineCounters& counters(std::size_t port, Line::Way way) const;
 
  private:

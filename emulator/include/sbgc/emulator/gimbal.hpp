@@ -38,8 +38,8 @@ enum class AxisMode : std::uint8_t {
 /// A command for an axis.
 struct AxisCommand {
   AxisMode mode{};
-  double speed{};
-  double angle{};
+  double speed{};        ///< deg/s
+  double angle{};        ///< degrees
   double signal{};       ///< -1..1
   bool is_lost = false;  ///< `signal` is lost: the axis holds its target
 };
@@ -82,24 +82,24 @@ struct Sample {
   Vector frame_speed{};          ///< true rates about x, y, z of the frame
   Vector gyro{};                 ///< deg/s about x, y, z of the camera, with noise and drift
   Vector acceleration{};         ///< in g, camera, with noise; (0, 0, 1) when level and at rest
-  Vector frame_gyro{};
-  Vector frame_acceleration{};
-  Vector magnetic{};  ///< relative to the strength of the field, camera
-  Vector up{};        ///< unit vector that points up, as the main IMU knows it
-  Vector north{};     ///< unit vector that points north, as the main IMU knows it
-  Vector frame_up{};
-  Vector frame_north{};
-  Axes<double> power{};      ///< of each motor, 0..1
-  Axes<double> imbalance{};  ///< share of the motor power needed to hold the axis, -1..1
-  double battery{};          ///< volts
-  double current{};          ///< amperes
-  double temperature{};      ///< of the main IMU, Celsius
-  double frame_temperature{};
+  Vector frame_gyro{};           ///< deg/s, as `gyro`, of the frame's IMU
+  Vector frame_acceleration{};   ///< g, as `acceleration`, of the frame's IMU
+  Vector magnetic{};             ///< relative to the strength of the field, camera
+  Vector up{};                   ///< unit vector that points up, as the main IMU knows it
+  Vector north{};                ///< unit vector that points north, as the main IMU knows it
+  Vector frame_up{};             ///< as `up`, of the frame's IMU
+  Vector frame_north{};          ///< as `north`, of the frame's IMU
+  Axes<double> power{};          ///< of each motor, 0..1
+  Axes<double> imbalance{};      ///< share of the motor power needed to hold the axis, -1..1
+  double battery{};              ///< volts
+  double current{};              ///< amperes
+  double temperature{};          ///< of the main IMU, Celsius
+  double frame_temperature{};    ///< of the frame's IMU, Celsius
   double gravity_error{};  ///< angle between the estimated and the reference vector of the main
                            ///< IMU, degrees
-  double heading_error{};
-  double frame_gravity_error{};
-  double frame_heading_error{};
+  double heading_error{};  ///< of the main IMU, degrees
+  double frame_gravity_error{};  ///< of the frame's IMU, degrees
+  double frame_heading_error{};  ///< of the frame's IMU, degrees
 };
 
 /// A vibration of the camera that its motors excite: a resonance of the frame.
@@ -139,10 +139,12 @@ class Gimbal {
     Vector gyro_drift{};    ///< of the main gyroscope, deg/s; no calibration removes it
   };
 
+  /// A gimbal at rest, with its motors off.
   Gimbal(const Options& options, Instant start);
   Gimbal(const Gimbal&) = delete;
   Gimbal(Gimbal&&) noexcept;
   Gimbal& operator=(const Gimbal&) = delete;
+  /// Takes over the other.
   Gimbal& operator=(Gimbal&&) noexcept;
   ~Gimbal();
 
@@ -155,11 +157,13 @@ class Gimbal {
   /// When the motors turn on, the targets start at the current camera angles; commands continue
   /// from there.
   void set_motors(bool on, Instant now);
+  /// True if the motors have power.
   bool motors_on() const;
   /// True if the battery stopped the motors and they have not been turned on since with enough
   /// voltage.
   bool stopped_by_battery() const;
 
+  /// Makes an axis turn or hold an angle; without a time, returns its command.
   void command(std::size_t axis, const AxisCommand& command, Instant now);
   const AxisCommand& command(std::size_t axis) const;
   /// The RC signal of an axis, -1..1. Without a signal the axis holds its target.
@@ -183,6 +187,7 @@ class Gimbal {
     /// The other IMU uses the attitude as a reference, through the joints.
     bool translates = false;
   };
+  /// Corrects the estimate of an IMU; see Attitude.
   void correct(const Attitude& attitude, Instant now);
   /// True if the frame's attitude is currently replaced this way.
   bool is_frame_reported(Instant now);
@@ -195,7 +200,9 @@ class Gimbal {
 
   /// Test hooks: turn the camera by hand; block or release a joint; fix the battery voltage.
   void push(std::size_t axis, double degrees, Instant now);
+  /// Blocks or releases a joint, for tests.
   void jam(std::size_t axis, bool is_jammed, Instant now);
+  /// Fixes the voltage of the battery, for tests.
   void set_battery(double volts, Instant now);
   /// Places the camera and its targets at these angles, at rest, and ends all commands.
   void place(const Axes<double>& angles, Instant now);

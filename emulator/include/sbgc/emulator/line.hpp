@@ -24,10 +24,10 @@ struct Silence {
 /// Faults of a line, in both directions. Shares are 0..1, of bytes unless noted otherwise.
 struct Faults {
   double bit_errors = 0;  ///< of data bits
-  double lost = 0;
-  double duplicated = 0;
-  double delayed = 0;  ///< the byte arrives `delay` later, and later bytes no earlier than it
-  Duration delay = milliseconds(20);
+  double lost = 0;        ///< the byte does not arrive
+  double duplicated = 0;  ///< the byte arrives twice
+  double delayed = 0;     ///< the byte arrives `delay` later, and later bytes no earlier than it
+  Duration delay = milliseconds(20);  ///< of a delayed byte
   /// The interval of text lines between frames of the board; 0 means none.
   Duration text_every{};
   std::vector<Silence> silences{};
@@ -41,7 +41,7 @@ struct LineOptions {
   /// The board adopts the parity of the host, as boards do since firmware 2.41.
   bool detects_parity = true;
   Faults faults{};
-  std::uint32_t seed = 1;
+  std::uint32_t seed = 1;  ///< of the random numbers: the same seed gives the same faults
 };
 
 /// Counters of a line's traffic and faults.
@@ -49,12 +49,12 @@ struct LineCounters {
   std::uint64_t bytes{};          ///< sent by the sender
   std::uint64_t bit_errors{};     ///< flipped bits
   std::uint64_t parity_errors{};  ///< bytes dropped for a wrong parity after bit errors
-  std::uint64_t lost{};
-  std::uint64_t duplicated{};
-  std::uint64_t delayed{};
-  std::uint64_t silenced{};    ///< bytes lost in silences
-  std::uint64_t mismatched{};  ///< bytes sent while the settings of both ends differed
-  std::uint64_t text_lines{};
+  std::uint64_t lost{};           ///< bytes
+  std::uint64_t duplicated{};     ///< bytes
+  std::uint64_t delayed{};        ///< bytes
+  std::uint64_t silenced{};       ///< bytes lost in silences
+  std::uint64_t mismatched{};     ///< bytes sent while the settings of both ends differed
+  std::uint64_t text_lines{};     ///< that the board sent between frames
 
   bool operator==(const LineCounters&) const = default;
 };
@@ -65,6 +65,7 @@ struct LineCounters {
 /// however they are split and however often receive() is called. Times must not decrease.
 class Line {
  public:
+  /// The direction of a line.
   enum class Way : std::uint8_t { to_board, to_host };
 
   /// The size of the sender's UART buffer at a limited rate; further bytes wait with the sender.
@@ -82,6 +83,7 @@ class Line {
   /// Changes the settings of the board from now on.
   void set_board(const LineSettings& settings);
 
+  /// Takes bytes of the sender.
   void send(std::span<const std::uint8_t> bytes, Instant now);
   /// Free space in the sender's UART buffer. send() accepts more and queues it.
   std::size_t room(Instant now) const;
@@ -103,6 +105,7 @@ class Line {
   /// time they take.
   std::size_t under_way() const { return arrivals_.size(); }
 
+  /// Returns the counters since the line was made.
   const LineCounters& counters() const { return counters_; }
 
  private:

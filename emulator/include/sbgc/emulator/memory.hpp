@@ -26,7 +26,7 @@ struct ImuCalibration {
 /// All persistent data of the board. As on a real board, parameters, names, user data and files are
 /// in the EEPROM: writing to it changes them, but the active ones change only at the next start.
 struct Memory {
-  static constexpr std::size_t eeprom_size = 32768;
+  static constexpr std::size_t eeprom_size = 32768;  ///< bytes
 
   std::vector<std::uint8_t> eeprom = std::vector<std::uint8_t>(eeprom_size, 0xFF);
   std::array<ImuCalibration, 2> imus{};     ///< main, frame; in the main EEPROM of a real board

@@ -17,6 +17,8 @@ from sbgcgen.model import Enum, Layout, Packed, Quantity
 from sbgcgen.targets.site import uses
 
 SETTINGS = Path("docs/Doxyfile")
+# A line for each release: its version, and the names that it brought.
+SINCE = Path("docs/since.txt")
 # A declaration that is longer has a line for each parameter.
 _WIDTH = 90
 
@@ -36,6 +38,8 @@ class Item:
     line: int = 0
     # From the root of the site, with the anchor.
     page: str = ""
+    # The release that brought the name; "" if none has it yet.
+    since: str = ""
 
     @property
     def sentence(self) -> str:
@@ -88,6 +92,31 @@ def headers_of(project: Path, layout: Layout) -> list[Header]:
             for found in parse(path).getroot().iter("compounddef")
         ]
     return _Reader(project, layout, compounds).headers()
+
+
+def record_names(project: Path, layout: Layout, version: str) -> None:
+    """Notes the release that brought each name which no earlier one had."""
+    names = [
+        n for h in headers_of(project, layout) for i in h.items for n in _names(i) if not n.since
+    ]
+    if names:
+        words = sorted({name.anchor for name in names})
+        with (project / SINCE).open("a", encoding="utf-8") as file:
+            file.write(f"{version}: {' '.join(words)}\n")
+
+
+def _names(item: Item) -> Iterator[Item]:
+    yield item
+    for member in item.members:
+        yield from _names(member)
+
+
+def _since(project: Path) -> dict[str, str]:
+    """The releases by the anchors of the names that they brought."""
+    path = project / SINCE
+    lines = path.read_text("utf-8").splitlines() if path.is_file() else []
+    releases = (line.split(": ", 1) for line in lines)
+    return {name: version for version, names in releases for name in names.split()}
 
 
 def linked(code: str, headers: Sequence[Header], layout: Layout) -> Markup:
@@ -144,7 +173,16 @@ class _Reader:
             self.declared[_location(element)[0]].append(element)
         self.pages: dict[str, str] = {}  # by the id of Doxygen
         self.compounds = {compound.get("id"): compound for compound in compounds}
+        # The values of ErrorCode, with the ids of Doxygen.
+        self.codes = {
+            _text_of(value, "name"): value.get("id", "")
+            for compound in compounds
+            for enum in compound.iter("memberdef")
+            if enum.findtext("name") == "ErrorCode"
+            for value in enum.iter("enumvalue")
+        }
         self.types = _types(layout)
+        self.since = _since(project)
         self.includes = {"sbgc/client/calls.hpp": "messages.html"}
         for path in self.files:
             include = path.partition("/include/")[2]
@@ -257,7 +295,8 @@ class _Reader:
         inherited = tuple(self._inherited(element))
         name, anchor = self._name(element), page.partition("#")[2]
         line = 0 if element.tag == "enumvalue" else _location(element)[1]
-        return Item(kind, name, anchor, code, text, members, inherited, line, page)
+        since = self.since.get(anchor, "")
+        return Item(kind, name, anchor, code, text, members, inherited, line, page, since)
 
     def _inherited(self, element: Element) -> Iterator[tuple[str, tuple[Item, ...]]]:
         for reference in element.findall("basecompoundref"):
@@ -308,7 +347,9 @@ class _Reader:
             derived = Markup(" : ") + Markup(", ").join(bases) if bases else Markup()
             return template + Markup(f"{kind} {name}") + derived
         if kind == "concept":
-            return Markup(escape(_text_of(element, "initializer").replace(f"sbgc::{name}", name)))
+            return Markup(
+                str(self._linked(element.find("initializer"))).replace(f"sbgc::{name}", name)
+            )
         type_ = self._linked(element.find("type"))
         if kind == "typedef":
             return template + Markup("using {} = {}").format(name, type_)
@@ -399,7 +440,20 @@ class _Reader:
     # Descriptions
 
     def _description(self, element: Element) -> Markup:
-        return Markup(Markup().join(map(self._block, self._description_parts(element))).strip())
+        text = Markup().join(map(self._block, self._description_parts(element))).strip()
+        # Those of a function are a paragraph of their own, with links.
+        return Markup(
+            re.sub(r"(?:<p>|\s)Errors(?=[:,]\s)(.*?</p>)", self._errors, str(text), flags=re.S)
+        )
+
+    def _errors(self, match: re.Match[str]) -> str:
+        def link(code: re.Match[str]) -> str:
+            page = self.pages.get(self.codes.get(code[1], ""))
+            return str(_link(page, code[1])) if page else code[0]
+
+        start = match[0][:3] == "<p>"
+        text = re.sub(r"<code>(\w+)</code>", link, match[1])
+        return f"{'' if start else '</p>'}<p><strong>Errors</strong>{text}"
 
     @staticmethod
     def _description_parts(element: Element) -> list[Element]:

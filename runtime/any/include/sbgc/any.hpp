@@ -69,14 +69,15 @@ struct AnyOperations {
 
 /// The type of a message: one body layout of a command. There is one object for each.
 struct MessageType {
-  const MessageInfo* info = nullptr;
-  Form form{};
+  const MessageInfo* info = nullptr;  ///< name, fields, sizes
+  Form form{};                        ///< how it is told from others with its id
   std::size_t memory{};  ///< the size of the message in memory, with the surplus it may have
 
   /// Returns the fields in wire order.
   const std::vector<FieldType>& (*fields)() = nullptr;
-  const detail::AnyOperations* operations = nullptr;
+  const detail::AnyOperations* operations = nullptr;  ///< for the library itself
 
+  /// True if hosts send it.
   bool is_sent_to_board() const noexcept { return info->direction != Direction::from_board; }
   /// Returns a message whose fields are 0, empty or absent, unless the specification has a default.
   AnyMessage make() const;
@@ -96,21 +97,26 @@ const MessageType* find_message(Direction direction, std::uint8_t id, std::size_
 /// message can only be assigned to or destroyed.
 class AnyMessage {
  public:
+  /// A message of this type with its default values.
   explicit AnyMessage(const MessageType& type);
   /// Copies a message of this type, without surplus.
   AnyMessage(const MessageType& type, const void* message);
   AnyMessage(const AnyMessage& other);
   AnyMessage(AnyMessage&&) noexcept = default;
+  /// Becomes a copy.
   AnyMessage& operator=(const AnyMessage& other) { return *this = AnyMessage(other); }
   AnyMessage& operator=(AnyMessage&&) noexcept = default;
   ~AnyMessage() = default;
 
+  /// Returns the type, which never changes.
   const MessageType& type() const noexcept { return *type_; }
 
   /// As the functions for a message of known type; after an error, the values are unspecified.
   [[nodiscard]] Status decode(std::span<const std::uint8_t> body,
                               const Contexts& contexts = {}) noexcept;
+  /// Writes the body. Fails as encode() of a typed message.
   [[nodiscard]] WriteResult encode(std::span<std::uint8_t> out) const noexcept;
+  /// Writes a whole frame. Fails as encode_frame() of a typed message.
   [[nodiscard]] WriteResult encode_frame(Framing framing,
                                          std::span<std::uint8_t> out) const noexcept;
   /// Stores the facts of the message that decoding later ones needs.
@@ -168,7 +174,9 @@ class AnyMessage {
   /// its size. Adds what is missing on the way. Returns false if the field cannot hold the value.
   bool set(std::string_view path, const AnyValue& value) { return set(path, &value); }
 
+  /// Writes the message as JSON, as write_json() of a typed message.
   void write_json(TextOutput& out, Secrets secrets = Secrets::hidden) const;
+  /// Returns the message as JSON.
   std::string to_json(Secrets secrets = Secrets::hidden) const;
   /// Reads the message from `text`, as from_json(). A problem leaves the message unchanged.
   JsonResult from_json(std::string_view text);

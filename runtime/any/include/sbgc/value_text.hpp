@@ -33,9 +33,10 @@ using AnyValue = std::variant<std::int64_t, double, std::vector<std::uint8_t>, s
 
 /// A value, or why the text is none: a sentence without a final period, or "".
 struct ParsedValue {
-  AnyValue value{};
-  std::string problem{};
+  AnyValue value{};       ///< the value, if there is no problem
+  std::string problem{};  ///< a sentence about the text; "" if it is valid
 
+  /// True if the text is a value.
   explicit operator bool() const noexcept { return problem.empty(); }
 };
 

@@ -99,8 +99,10 @@ class ByteSum {
 template <class Integer>
 class Sum {
  public:
+  /// The type of the sum.
   using Word = Integer;
 
+  /// Adds bytes.
   SBGC_ALWAYS_INLINE constexpr Sum& add(const std::uint8_t* bytes, std::size_t size) noexcept {
     if constexpr (sizeof(Word) == 1) {
       value_ = static_cast<Word>(value_ + byte_sum(bytes, size));
@@ -109,6 +111,7 @@ class Sum {
     }
     return *this;
   }
+  /// Returns the sum of all bytes so far.
   constexpr Word value() const noexcept { return value_; }
 
  private:
@@ -118,13 +121,16 @@ class Sum {
 /// Accumulates the exclusive or of all bytes over several ranges.
 class ExclusiveOr {
  public:
+  /// The type of the sum.
   using Word = std::uint8_t;
 
+  /// Adds bytes.
   SBGC_ALWAYS_INLINE constexpr ExclusiveOr& add(const std::uint8_t* bytes,
                                                 std::size_t size) noexcept {
     for (std::size_t i = 0; i < size; ++i) value_ = static_cast<Word>(value_ ^ bytes[i]);
     return *this;
   }
+  /// Returns the sum of all bytes so far.
   constexpr Word value() const noexcept { return value_; }
 
  private:

@@ -34,8 +34,8 @@ enum class Direction : std::uint8_t { to_board, from_board, both };
 /// and what else it needs. Of a board: its versions, and what it lacks; so a board of which only
 /// the versions are known lacks nothing.
 struct Availability {
-  std::uint16_t firmware{};
-  std::uint8_t board{};
+  std::uint16_t firmware{};  ///< as on the wire: 2590 is 2.59b0; 0: any
+  std::uint8_t board{};      ///< as on the wire: 30 is 3.0; 0: any
   std::uint64_t features{};  ///< masks of `features` in <sbgc/meta/enums.hpp>
 };
 

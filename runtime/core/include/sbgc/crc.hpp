@@ -74,8 +74,10 @@ inline constexpr auto crc_nibbles = [] {
 template <auto parameters, CrcTable table>
 class Crc {
  public:
+  /// The type of the sum.
   using Word = decltype(parameters.polynomial);
 
+  /// Adds bytes.
   constexpr Crc& add(const std::uint8_t* bytes, std::size_t size) noexcept {
 #if SBGC_HAS_CARRYLESS_MULTIPLICATION
     if constexpr (uses_slices) {
@@ -118,6 +120,7 @@ class Crc {
     return *this;
   }
 
+  /// Returns the sum of all bytes so far.
   constexpr Word value() const noexcept {
     const Word value = parameters.reflect_out ? register_ : detail::reversed(register_);
     return static_cast<Word>(value ^ parameters.final_xor);

@@ -63,7 +63,7 @@ constexpr bool is_in_other_hands(ErrorCode code) noexcept {
 
 /// An error of the client. (sbgc::Error is a message of the protocol.)
 struct ClientError {
-  ErrorCode code{};
+  ErrorCode code{};       ///< for programs
   std::string message{};  ///< for people: a sentence without a final period, possibly several lines
   int detail{};           ///< the number that some codes carry, otherwise 0
 

@@ -8,9 +8,9 @@ namespace sbgc {
 /// A path in a message: a chain of members and indices from the innermost to the outermost, kept on
 /// the stack.
 struct FieldPath {
-  const FieldPath* parent{};
-  const char* name = "";  ///< of a member, or of an axis
-  std::size_t index{};    ///< of an element, if `name` is ""
+  const FieldPath* parent{};  ///< the field that contains this one; null for a field of the message
+  const char* name = "";      ///< of a member, or of an axis
+  std::size_t index{};        ///< of an element, if `name` is ""
 
   /// Writes the path, such as "params[3].param_id", with a final NUL; truncates it if it does not
   /// fit. Returns the length without the NUL.

@@ -16,20 +16,25 @@ inline constexpr bool is_flag = false;
 template <class Flag>
 class Flags {
  public:
+  /// The enum of the single bits.
   using flag_type = Flag;
+  /// The integer on the wire.
   using raw_type = std::underlying_type_t<Flag>;
 
   constexpr Flags() = default;
+  /// Implicit, so that a single flag stands for a set of it alone.
   // NOLINTNEXTLINE(google-explicit-constructor): a flag is a set of one
   constexpr Flags(Flag flag) noexcept : raw_(static_cast<raw_type>(flag)) {}
   constexpr explicit Flags(raw_type raw) noexcept : raw_(raw) {}
 
   /// Returns the integer on the wire.
   constexpr raw_type raw() const noexcept { return raw_; }
+  /// True if all bits of `flag` are set.
   constexpr bool has(Flag flag) const noexcept {
     const auto bits = static_cast<raw_type>(flag);
     return (raw_ & bits) == bits;
   }
+  /// Sets or clears the bits of `flag`.
   constexpr Flags& set(Flag flag, bool on = true) noexcept {
     const auto bits = static_cast<raw_type>(flag);
     raw_ = static_cast<raw_type>(on ? raw_ | bits : raw_ & ~bits);

@@ -30,7 +30,7 @@ struct Frame {
   std::uint8_t id{};                     ///< command id, never 0
   std::span<const std::uint8_t> body{};  ///< a view: valid as long as the bytes it was found in
   std::uint64_t offset{};                ///< of its start byte in the stream
-  Framing framing = basic_framing;
+  Framing framing = basic_framing;       ///< in which it came
 };
 
 /// Returns the framing of a valid frame.

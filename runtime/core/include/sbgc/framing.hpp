@@ -30,8 +30,8 @@ enum class Verdict : std::uint8_t {
 
 /// A verdict and the number of bytes it refers to (0 without a valid header).
 struct Candidate {
-  Verdict verdict{};
-  std::size_t size{};
+  Verdict verdict{};   ///< whether a frame begins here
+  std::size_t size{};  ///< in bytes; see Verdict
 };
 
 namespace detail {
@@ -151,12 +151,13 @@ constexpr std::size_t frame_size(std::size_t body_size) noexcept {
 /// checksum. `table` is that of its cyclic redundancy check, if it has one.
 template <Framing framing, CrcTable table = CrcTable::slices>
 struct FrameFormat {
+  /// What the specification says of this framing.
   using Facts = FramingFacts<framing>;
   static_assert(detail::has_usual_header<framing>() && Facts::trailer.size() == 1,
                 "another header or trailer in the spec requires another is_header(), "
                 "skip_blocks() and finish()");
 
-  static constexpr std::uint8_t start = Facts::start;
+  static constexpr std::uint8_t start = Facts::start;  ///< the first byte of each frame
 
   /// Inspects the `available` bytes at `bytes`. Precondition: available >= 1.
   static constexpr Candidate inspect(const std::uint8_t* bytes, std::size_t available) noexcept {
@@ -291,8 +292,8 @@ constexpr std::size_t finish(Framing framing, std::uint8_t* frame, std::uint8_t 
 /// follow.
 template <CrcTable table, Framing... accepted>
 struct FrameFormats {
-  static constexpr Framing first = std::array{accepted...}[0];
-  static constexpr bool is_one = sizeof...(accepted) == 1;
+  static constexpr Framing first = std::array{accepted...}[0];  ///< the one to write in by default
+  static constexpr bool is_one = sizeof...(accepted) == 1;      ///< whether there is no choice
 
   /// Returns true if a frame may begin with `byte`.
   static constexpr bool is_start(std::uint8_t byte) noexcept {
@@ -323,31 +324,37 @@ struct FrameFormats {
 template <CrcTable table, Framing... known>
 class SelectedFrameFormats {
  public:
-  static constexpr Framing first = std::array{known...}[0];
-  static constexpr bool is_one = sizeof...(known) == 1;
+  static constexpr Framing first = std::array{known...}[0];  ///< the one to write in by default
+  static constexpr bool is_one = sizeof...(known) == 1;      ///< whether there is no choice
 
+  /// Finds frames of all known framings from now on.
   constexpr void accept_all() noexcept { starts_ = {FramingFacts<known>::start...}; }
+  /// Finds frames of this framing alone from now on.
   constexpr void accept_only(Framing framing) noexcept {
     static_cast<void>(
         ((framing == known && (starts_.fill(FramingFacts<known>::start), true)) || ...));
   }
 
+  /// True if a frame of an accepted framing can begin with this byte.
   constexpr bool is_start(std::uint8_t byte) const noexcept {
     bool result = false;
     for (const std::uint8_t start : starts_) result |= byte == start;
     return result;
   }
 
+  /// Says whether the bytes begin with a frame; `available` is at least 1.
   constexpr Candidate inspect(const std::uint8_t* bytes, std::size_t available) const noexcept {
     if (!is_start(bytes[0])) return {Verdict::no_start, 0};
     return detail::inspect<table, known...>(bytes, available);
   }
 
+  /// Returns the first byte that can begin a frame, or `end`.
   constexpr const std::uint8_t* find(const std::uint8_t* begin, const std::uint8_t* end,
                                      std::uint64_t& bad_headers) const noexcept {
     return detail::find_header(begin, end, bad_headers, starts_);
   }
 
+  /// Writes header and checksum around a body that is in place; returns the size of the frame.
   static constexpr std::size_t finish(Framing framing, std::uint8_t* frame, std::uint8_t id,
                                       std::size_t body_size, const std::uint8_t* content) noexcept {
     return detail::finish<table, known...>(framing, frame, id, body_size, content);

@@ -14,8 +14,9 @@ namespace sbgc {
 
 /// The result of reading a message from JSON; true in a condition if it succeeded.
 struct [[nodiscard]] JsonResult {
-  std::optional<JsonProblem> problem{};
+  std::optional<JsonProblem> problem{};  ///< why the text is refused
 
+  /// True if the message was read.
   explicit operator bool() const noexcept { return !problem; }
 };
 

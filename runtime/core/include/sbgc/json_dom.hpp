@@ -27,6 +27,7 @@ using Json = nlohmann::ordered_json;
 /// Thrown if JSON does not describe the expected message; what() names the field and the reason.
 class JsonError : public std::runtime_error {
  public:
+  /// `field` is the path of what is wrong.
   JsonError(std::string field, const std::string& reason)
       : std::runtime_error(field.empty() ? reason : field + ": " + reason),
         field_(std::move(field)) {}

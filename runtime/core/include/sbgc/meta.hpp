@@ -16,16 +16,16 @@ namespace sbgc {
 
 /// A sentinel: a raw value with a meaning of its own.
 struct Special {
-  std::int64_t value{};
+  std::int64_t value{};  ///< the raw value
   const char* meaning = "";
 };
 
 /// One named value of an enum, or one named flag of a set.
 struct ValueInfo {
   const char* name = "";
-  std::int64_t value{};
+  std::int64_t value{};  ///< as on the wire
   const char* summary = "";
-  Availability since{};
+  Availability since{};       ///< the versions that know it
   bool unconfirmed{};         ///< from a single source, or contradicted by another
   const char* saved_as = "";  ///< the name of a flag in files of the vendor's program
 };
@@ -34,14 +34,14 @@ struct ValueInfo {
 /// Availability.
 struct FeatureInfo {
   const char* name = "";
-  std::uint64_t mask{};
+  std::uint64_t mask{};  ///< its bit in an Availability
 };
 
 /// An enum or a flag set.
 struct EnumInfo {
   const char* name = "";
   std::span<const ValueInfo> values{};
-  bool is_flags{};
+  bool is_flags{};  ///< whether the values are bits that can be combined
 };
 
 struct UnitInfo;
@@ -49,13 +49,13 @@ struct UnitInfo;
 /// A part of a packed value: ((raw & mask) >> shift) / divide % modulo, without % if modulo is 0.
 struct PartInfo {
   const char* name = "";
-  std::uint64_t mask{};
-  std::uint8_t shift{};
-  std::uint16_t divide = 1;
-  std::uint16_t modulo{};
-  std::uint64_t sign{};  ///< a bit that makes the number negative
-  bool is_signed{};      ///< two's complement
-  const EnumInfo* values{};
+  std::uint64_t mask{};       ///< of the part, before the shift
+  std::uint8_t shift{};       ///< to the right, in bits
+  std::uint16_t divide = 1;   ///< what the shifted part is divided by
+  std::uint16_t modulo{};     ///< then taken modulo this; 0: not
+  std::uint64_t sign{};       ///< a bit that makes the number negative
+  bool is_signed{};           ///< two's complement
+  const EnumInfo* values{};   ///< the names of its values; null if it is a number
   const UnitInfo* unit{};     ///< of the number
   const char* saved_as = "";  ///< its name in files of the vendor's program
 };
@@ -64,11 +64,11 @@ struct PartInfo {
 /// on have `later_display`, if it is not empty.
 struct PackedInfo {
   const char* name = "";
-  const char* display = "";
-  const EnumInfo* names{};
+  const char* display = "";  ///< how text shows the whole, such as a version
+  const EnumInfo* names{};   ///< of whole values; null if there are none
   std::span<const PartInfo> parts{};
-  std::uint64_t later_from{};
-  const char* later_display = "";
+  std::uint64_t later_from{};      ///< the smallest value that has the later form
+  const char* later_display = "";  ///< how text shows that
 };
 
 /// Lowest and highest raw value.
@@ -80,11 +80,11 @@ struct Range {
 /// The unit and scale of a raw value: real value = raw * numerator / denominator + offset. With a
 /// `growth`, growth^raw takes the place of raw.
 struct UnitInfo {
-  const char* name = "";  ///< "deg"; "" for a number without a unit
-  double numerator = 1;
-  double denominator = 1;
-  double offset{};
-  double growth{};
+  const char* name = "";   ///< "deg"; "" for a number without a unit
+  double numerator = 1;    ///< of the scale
+  double denominator = 1;  ///< of the scale
+  double offset{};         ///< in the unit, added after scaling
+  double growth{};         ///< the base of an exponential scale; 0 for a linear one
 
   /// Returns the value in the unit.
   constexpr double real(double raw) const noexcept {
@@ -106,7 +106,7 @@ struct UnitInfo {
 
 /// The meaning of a field from a firmware on. At most one of unit, names and packed is set.
 struct LaterMeaning {
-  Availability since{};
+  Availability since{};  ///< the first versions with this meaning
   const UnitInfo* unit{};
   const EnumInfo* names{};
   const PackedInfo* packed{};
@@ -128,7 +128,7 @@ constexpr const LaterMeaning* meaning_in(std::span<const LaterMeaning> later,
 /// An alternative unit of a raw value, in effect if the field `of` of the message has the bits
 /// `mask`. If that field has one element per axis, the one for the axis of the value counts.
 struct AlternativeUnit {
-  const char* of = "";
+  const char* of = "";  ///< the name of that field
   std::uint32_t mask{};
   const UnitInfo* unit{};
 };
@@ -145,13 +145,13 @@ enum class Directed : std::uint8_t {
 
 /// An adjustable variable. Its values are integers.
 struct VariableInfo {
-  msg::VariableId id{};
+  msg::VariableId id{};  ///< on the wire
   const char* name = "";
   const char* summary = "";
-  Range range{};
+  Range range{};  ///< in the unit
   UnitInfo unit{};
-  Directed directed{};
-  std::span<const LaterMeaning> later{};
+  Directed directed{};                    ///< which way it counts, if it has one
+  std::span<const LaterMeaning> later{};  ///< the first one first
 
   /// Returns the unit on a board with these versions.
   constexpr UnitInfo unit_in(const Availability& versions) const noexcept {
@@ -187,25 +187,25 @@ struct FieldInfo {
   const char* name = "";
   const char* spec_name = "";  ///< the name in the specification; {AXIS} stands for the index
   const char* summary = "";
-  const UnitInfo* unit{};  ///< of a quantity
-  const Range* range{};
-  std::span<const Special> special{};
-  std::uint16_t min_count{};  ///< of a list
-  std::uint16_t max_count{};  ///< of a list; 0: limited only by the body
-  std::uint16_t align = 1;    ///< the value, or the length of a list of bytes, is a multiple of it
-  FieldRole role{};
-  Directed directed{};
+  const UnitInfo* unit{};              ///< of a quantity
+  const Range* range{};                ///< of the raw value; null: any
+  std::span<const Special> special{};  ///< values that mean something else than a number
+  std::uint16_t min_count{};           ///< of a list
+  std::uint16_t max_count{};           ///< of a list; 0: limited only by the body
+  std::uint16_t align = 1;   ///< the value, or the length of a list of bytes, is a multiple of it
+  FieldRole role{};          ///< what clients use it for
+  Directed directed{};       ///< which way it counts, if it has one
   bool is_variable_value{};  ///< of the adjustable variable that the last VariableId names
-  bool reserved{};
-  bool optional{};  ///< may be omitted in JSON
-  bool secret{};    ///< such as a password: text and JSON hide it
+  bool reserved{};           ///< sent as 0, and ignored
+  bool optional{};           ///< may be omitted in JSON
+  bool secret{};             ///< such as a password: text and JSON hide it
   /// The name in files of the vendor's program; {n} stands for the number of the element. "": as
   /// `spec_name`, for letters and digits; null: it has no certain one.
   const char* saved_as = "";
-  SavedIn saved_in{};
-  Availability since{};
-  bool unconfirmed{};  ///< from a single source, or contradicted by another
-  const AlternativeUnit* alternative{};
+  SavedIn saved_in{};                     ///< the unit in such a file
+  Availability since{};                   ///< the versions that have it
+  bool unconfirmed{};                     ///< from a single source, or contradicted by another
+  const AlternativeUnit* alternative{};   ///< null if it has one unit
   std::span<const LaterMeaning> later{};  ///< the first one first
 };
 
@@ -215,13 +215,13 @@ using Effects = Flags<Effect>;
 /// One body layout of a command.
 struct MessageInfo {
   const char* name = "";
-  const char* command = "";
+  const char* command = "";  ///< such as "CMD_CONTROL"
   const char* summary = "";
   std::uint8_t id{};
   Direction direction{};
-  std::size_t min_size{};
-  std::size_t max_size{};
-  Availability since{};
+  std::size_t min_size{};                   ///< of the body, in bytes
+  std::size_t max_size{};                   ///< of the body, in bytes
+  Availability since{};                     ///< the versions that know it
   bool unconfirmed{};                       ///< from a single source, or contradicted by another
   std::size_t secret_from = max_body_size;  ///< the first byte that may belong to a secret field
   Availability until{};  ///< these versions and later ones no longer accept it; 0: all do
@@ -232,7 +232,9 @@ struct MessageInfo {
   /// The preparation before the request is sent, such as how to hold the camera; "" if none.
   const char* preparation = "";
 
+  /// True if text and JSON hide a part of it, such as a password.
   constexpr bool has_secret() const noexcept { return secret_from != max_body_size; }
+  /// True if it is sent in this direction.
   constexpr bool travels(Direction way) const noexcept {
     return direction == way || direction == Direction::both;
   }

@@ -45,7 +45,7 @@ constexpr const char* name(NumberType type) noexcept {
 /// A number with its type; `bits` is its wire representation, not sign-extended.
 struct Number {
   NumberType type{};
-  std::uint32_t bits{};
+  std::uint32_t bits{};  ///< the number as on the wire; floats as their bits
 
   /// Precondition: the type is not f32.
   constexpr std::int64_t integer() const noexcept {

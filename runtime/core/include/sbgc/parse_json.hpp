@@ -31,9 +31,10 @@ struct JsonLimits {
 
 /// A value, or the problem that prevented parsing one.
 struct ParsedJson {
-  Json value{};
-  std::optional<JsonProblem> problem{};
+  Json value{};                          ///< the value, if there is no problem
+  std::optional<JsonProblem> problem{};  ///< why the text is refused, and where
 
+  /// True if the text is JSON.
   explicit operator bool() const noexcept { return !problem; }
 };
 

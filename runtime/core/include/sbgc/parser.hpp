@@ -59,6 +59,7 @@ class BasicParser {
 
  public:
   constexpr BasicParser() noexcept = default;
+  /// Accepts the framings of `formats`.
   constexpr explicit BasicParser(const Formats& formats) noexcept : formats_(formats) {}
 
   /// The accepted framings. A change applies to the bytes that have not yet been inspected; the

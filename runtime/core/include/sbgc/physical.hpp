@@ -16,6 +16,7 @@ class Conversion;  // see quantity.hpp
 /// that does not fit is a compile error.
 template <class Unit, std::int64_t numerator, std::int64_t denominator = 1>
 struct Physical {
+  /// Returns the number in the unit.
   static constexpr double real() noexcept {
     return static_cast<double>(numerator) / static_cast<double>(denominator);
   }
@@ -27,7 +28,9 @@ struct Physical {
                   "this physical value does not fit into the number of the quantity on the wire");
     return Quantity((*quantity).raw());
   }
+  /// The value itself.
   constexpr Physical operator+() const noexcept { return {}; }
+  /// The value with the other sign.
   constexpr Physical<Unit, -numerator, denominator> operator-() const noexcept { return {}; }
 };
 

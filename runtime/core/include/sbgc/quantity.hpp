@@ -33,6 +33,7 @@ template <class Q>
 class [[nodiscard]] Conversion {
  public:
   constexpr Conversion() = default;
+  /// A value that fits.
   constexpr explicit Conversion(Q value) noexcept : value_(value), fits_(true) {}
 
   /// Returns true if the number fits.
@@ -42,6 +43,7 @@ class [[nodiscard]] Conversion {
     if (!fits_) detail::the_number_does_not_fit_into_the_quantity();
     return value_;
   }
+  /// Returns the value, or `other` if it does not fit.
   constexpr Q value_or(Q other) const noexcept { return fits_ ? value_ : other; }
 
   /// Never compiles; the error explains what to write instead.

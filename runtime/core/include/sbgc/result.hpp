@@ -19,6 +19,7 @@ class [[nodiscard]] Result {
                 "include the message's header, such as <sbgc/messages/control.hpp>");
 
  public:
+  /// The type of the value.
   using value_type = T;
 
   // NOLINTNEXTLINE(google-explicit-constructor): `return value;`
@@ -26,8 +27,10 @@ class [[nodiscard]] Result {
   // NOLINTNEXTLINE(google-explicit-constructor): `return error;`
   Result(ClientError error) : content_(std::in_place_index<1>, std::move(error)) {}
 
+  /// True if it holds a value.
   explicit operator bool() const noexcept { return content_.index() == 0; }
 
+  /// The value. Precondition: it holds one.
   T& operator*() & noexcept {
     assert(*this);
     return *std::get_if<0>(&content_);
@@ -37,9 +40,11 @@ class [[nodiscard]] Result {
     return *std::get_if<0>(&content_);
   }
   T&& operator*() && noexcept { return std::move(**this); }
+  /// A member of the value. Precondition: it holds one.
   T* operator->() noexcept { return &**this; }
   const T* operator->() const noexcept { return &**this; }
 
+  /// The error. Precondition: it holds no value.
   const ClientError& error() const& noexcept {
     assert(!*this);
     return *std::get_if<1>(&content_);

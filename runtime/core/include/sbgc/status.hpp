@@ -64,14 +64,16 @@ struct Status {
   std::uint16_t offset{};  ///< the offset of the error in the body
   const char* field = "";  ///< the path of the field in error, or ""; never null
 
+  /// True without an error.
   constexpr explicit operator bool() const noexcept { return code == Code::ok; }
 };
 
 /// The result of writing into a buffer: the number of bytes written (0 on failure) and the status.
 struct WriteResult {
-  std::size_t size{};
+  std::size_t size{};  ///< written bytes; 0 after an error
   Status status{};
 
+  /// True without an error.
   constexpr explicit operator bool() const noexcept { return static_cast<bool>(status); }
 };
 

@@ -23,7 +23,8 @@ template <Message M>
 struct WithSurplus : M {
   using Body = WithSurplus;
 
-  BoundedBytes<max_body_size - M::min_size> tail{};
+  BoundedBytes<max_body_size - M::min_size>
+      tail{};  ///< the bytes after those that the message describes
 
   bool operator==(const WithSurplus&) const = default;
 };

@@ -21,6 +21,7 @@ class TextOutput {
   TextOutput(const TextOutput&) = delete;
   TextOutput& operator=(const TextOutput&) = delete;
 
+  /// Appends a character, text, or a character several times.
   void put(char c) {
     if (at_ == end_) make_room();
     *at_++ = c;
@@ -68,11 +69,12 @@ class TextOutput {
     if (free() < size) make_room();
     return at_;
   }
+  /// Takes what was written up to `end` into the space.
   void advance(char* end) { at_ = end; }
 
   /// The most characters that room() can provide.
   static constexpr std::size_t most_room = 512;
-  static constexpr std::size_t longest_number = 32;
+  static constexpr std::size_t longest_number = 32;  ///< the space that any number fits into
 
  protected:
   TextOutput() = default;
@@ -114,6 +116,7 @@ class TextOutput {
 template <class Take>
 class PiecewiseOutput final : public TextOutput {
  public:
+  /// Passes full pieces to `take`.
   explicit PiecewiseOutput(Take& take) : take_(take) { provide_buffer(); }
 
   /// Passes the rest on. Must be called at the end.
@@ -134,6 +137,7 @@ class PiecewiseOutput final : public TextOutput {
 /// Appends the text to a string.
 class StringOutput final : public TextOutput {
  public:
+  /// Appends to `text`.
   explicit StringOutput(std::string& text) : text_(text) { grow(text.size()); }
 
   /// Must be called at the end, before the string is used.

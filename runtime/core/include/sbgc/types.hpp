@@ -57,6 +57,7 @@ struct Xyz {
 template <class Raw>
 class Integer24 {
  public:
+  /// The integer that holds it in memory.
   using raw_type = Raw;
   static constexpr auto lowest = static_cast<Raw>(std::is_signed_v<Raw> ? -0x800000 : 0);
   static constexpr auto highest = static_cast<Raw>(std::is_signed_v<Raw> ? 0x7FFFFF : 0xFFFFFF);
@@ -66,6 +67,7 @@ class Integer24 {
   constexpr explicit Integer24(Raw raw) noexcept : raw_(raw) {
     if (raw < lowest || raw > highest) detail::trap();
   }
+  /// Returns the integer.
   constexpr Raw raw() const noexcept { return raw_; }
 
   friend constexpr bool operator==(const Integer24&, const Integer24&) = default;
@@ -122,10 +124,12 @@ class BoundedArray {
  public:
   using value_type = T;
 
+  /// An empty list.
   constexpr BoundedArray() noexcept
       : room_(detail::is_constant_evaluated() ? Room(typename Room::Zeroed{})
                                               : Room(typename Room::Uninitialized{})) {}
 
+  /// Returns the largest size.
   static constexpr std::size_t capacity() noexcept { return n; }
   [[nodiscard]] constexpr std::size_t size() const noexcept { return size_; }
   [[nodiscard]] constexpr bool empty() const noexcept { return size_ == 0; }
@@ -140,6 +144,7 @@ class BoundedArray {
   constexpr T& operator[](std::size_t index) noexcept { return room_.items[index]; }
   constexpr const T& operator[](std::size_t index) const noexcept { return room_.items[index]; }
 
+  /// Removes all elements.
   constexpr void clear() noexcept { size_ = 0; }
 
   /// Returns false and changes nothing if it is full.
@@ -195,7 +200,7 @@ class BoundedBytes : public BoundedArray<std::uint8_t, n> {
 /// UTF-8 text in a field of `n` bytes, padded with NUL. All `n` bytes are preserved.
 template <std::size_t n>
 struct Text {
-  std::array<char, n> bytes{};
+  std::array<char, n> bytes{};  ///< with padding, as on the wire
 
   /// Returns the number of bytes before the padding.
   [[nodiscard]] constexpr std::size_t size() const noexcept {
@@ -203,7 +208,9 @@ struct Text {
     while (length > 0 && bytes[length - 1] == '\0') --length;
     return length;
   }
+  /// Returns the first byte; the text may lack a final NUL.
   constexpr const char* data() const noexcept { return bytes.data(); }
+  /// Returns the size on the wire.
   static constexpr std::size_t capacity() noexcept { return n; }
 
   /// Assigns anything with data() and size(), such as std::string_view. Returns false and changes
@@ -224,9 +231,12 @@ template <std::size_t n>
 class BoundedText {
  public:
   [[nodiscard]] constexpr std::size_t size() const noexcept { return chars_.size(); }
+  /// Returns the first byte; the text has no final NUL.
   constexpr const char* data() const noexcept { return chars_.data(); }
+  /// Returns the largest size, in bytes.
   static constexpr std::size_t capacity() noexcept { return n; }
 
+  /// Removes all characters.
   constexpr void clear() noexcept { chars_.clear(); }
   /// Returns false and changes nothing if it is full.
   constexpr bool push_back(char value) noexcept { return chars_.push_back(value); }
@@ -252,6 +262,7 @@ class Optional {
   using value_type = T;
 
   constexpr Optional() = default;
+  /// Holds a value; implicit, as in {.pitch = value}.
   // NOLINTNEXTLINE(google-explicit-constructor): a value is an optional value
   constexpr Optional(const T& value) noexcept : value_(value), present_(true) {}
   /// From anything that converts to T, such as the literal of a quantity. T itself refuses numbers
@@ -261,15 +272,19 @@ class Optional {
   // NOLINTNEXTLINE(google-explicit-constructor): see above
   constexpr Optional(const U& value) noexcept : value_(converted(value)), present_(true) {}
 
+  /// True if it holds a value.
   [[nodiscard]] constexpr bool has_value() const noexcept { return present_; }
+  /// True if it holds a value.
   constexpr explicit operator bool() const noexcept { return present_; }
 
   /// Precondition of access to the value: has_value().
   constexpr T& operator*() noexcept { return value_; }
   constexpr const T& operator*() const noexcept { return value_; }
+  /// A member of the value. Precondition: it holds one.
   constexpr T* operator->() noexcept { return &value_; }
   constexpr const T* operator->() const noexcept { return &value_; }
 
+  /// Removes the value.
   constexpr void reset() noexcept { present_ = false; }
   /// Makes the value present and returns it; it is the value held last.
   constexpr T& emplace() noexcept {

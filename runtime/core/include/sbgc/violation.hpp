@@ -41,7 +41,7 @@ struct Violation {
   const FieldPath& path;
   const FieldInfo& field;
   double value{};  ///< raw, as on the wire
-  double limit{};
+  double limit{};  ///< the bound that it breaks, raw
   Rule rule{};
   const UnitInfo* unit{};    ///< of `value`; null if it has none or if it depends on a flag
   const ValueInfo* named{};  ///< the enum value or flag that does not exist yet, or null

@@ -35,7 +35,7 @@ struct DetectorOptions {
 
 /// The attempts on one line, and their results.
 struct Trial {
-  LineSettings line{};
+  LineSettings line{};          ///< the settings
   std::uint16_t probes{};       ///< requests sent
   std::uint32_t bytes{};        ///< received
   std::uint32_t good_frames{};  ///< received, including the introduction
@@ -45,6 +45,7 @@ struct Trial {
 
 /// The action that the caller must take before it calls next() again.
 struct DetectorStep {
+  /// What to do next.
   enum class Kind : std::uint8_t {
     set_line,  ///< change to `line` and discard bytes received before, or call refuse()
     write,     ///< write `bytes`
@@ -53,9 +54,9 @@ struct DetectorStep {
     failed,    ///< done: there is no board, or it does not answer; see trials()
   };
   Kind kind{};
-  LineSettings line{};
-  std::span<const std::uint8_t> bytes{};
-  Instant until = Instant::never;
+  LineSettings line{};                    ///< of `set_line` and `found`
+  std::span<const std::uint8_t> bytes{};  ///< of `write`, valid until the next call
+  Instant until = Instant::never;         ///< of `wait`
 };
 
 /// Requests the introduction of a board at every baud rate and parity in use, the most likely
@@ -70,6 +71,7 @@ class Detector {
   /// The number of lines to try.
   static constexpr std::size_t lines = baud_rates.size() * parities.size();
 
+  /// Begins with the first trial.
   constexpr explicit Detector(const DetectorOptions& options = {}) noexcept : options_(options) {
     if (options_.question.empty()) options_.question = usual_question;
     // All rates that the protocol names come before the others, for any parity.

@@ -17,10 +17,10 @@ namespace sbgc {
 /// Bytes of a response that repeat a number of the request: the `size` lowest bytes of `value`,
 /// little-endian, at `offset` in the body. With size 0, every body matches.
 struct CorrelationField {
-  std::uint8_t offset{};
-  std::uint8_t size{};
+  std::uint8_t offset{};   ///< in the body of the response
+  std::uint8_t size{};     ///< in bytes
   std::uint16_t unused{};  ///< instead of padding, see Responses
-  std::uint32_t value{};
+  std::uint32_t value{};   ///< of which these bytes must be there
 
   bool operator==(const CorrelationField&) const = default;
 
@@ -52,12 +52,13 @@ inline constexpr std::size_t max_response_forms = 2;
 
 /// A message that answers a request.
 struct ResponseForm {
-  std::uint8_t id{};
+  std::uint8_t id{};        ///< of the response
   std::uint8_t min_size{};  ///< of the body
   std::uint8_t max_size{};  ///< of the body; max_body_size if later firmware may extend it
   std::uint8_t size{};      ///< of the body, as documented; the largest if it varies
   bool is_error{};          ///< reports that the request has failed
   std::array<std::uint8_t, 3> unused{};  ///< instead of padding
+  /// What the response repeats of the request.
   std::array<CorrelationField, max_correlation_fields> correlation{};
 
   bool operator==(const ResponseForm&) const = default;
@@ -91,10 +92,10 @@ enum class Confirmed : std::uint8_t { never, unlikely, possible, always };
 /// The possible responses to a request: messages and confirmations.
 struct Responses {
   std::uint8_t command{};  ///< id of the request
-  Confirmed confirmed{};
+  Confirmed confirmed{};   ///< whether the board confirms the request
   std::uint8_t form_count{};
-  std::uint8_t unused{};  ///< instead of padding
-  std::array<ResponseForm, max_response_forms> forms{};
+  std::uint8_t unused{};                                 ///< instead of padding
+  std::array<ResponseForm, max_response_forms> forms{};  ///< the messages that may answer
   CorrelationField confirmation{};  ///< the correlation field of a confirmation with data
 
   /// Compares the bytes, which takes little code. There is no padding among them.
@@ -143,9 +144,9 @@ struct Responses {
 /// The position of the request's result in the data of a confirmation, and the value that means
 /// success.
 struct ConfirmationResult {
-  std::uint8_t offset{};
-  std::uint8_t size{};  ///< 0: there is none
-  std::uint32_t success{};
+  std::uint8_t offset{};    ///< in the data of the confirmation
+  std::uint8_t size{};      ///< 0: there is none
+  std::uint32_t success{};  ///< the value that means success
 
   /// Returns true if the confirmation reports a failure. One without data does not.
   constexpr bool is_failure(std::span<const std::uint8_t> body) const noexcept {
@@ -167,12 +168,12 @@ struct StreamChange {
   std::uint8_t command{};       ///< id of its messages; 0: the request concerns no stream
   std::uint8_t size{};          ///< of their bodies
   std::uint32_t interval_us{};  ///< 0 ends the stream
-  std::array<std::uint8_t, max_stream_config> config{};
+  std::array<std::uint8_t, max_stream_config> config{};  ///< its bytes in the request
 };
 
 /// The response policy of a request. Get it from response_policy().
 struct ResponsePolicy {
-  Responses responses{};
+  Responses responses{};         ///< what may answer it
   std::uint8_t confirmations{};  ///< number of confirmations of a confirmed request
   bool response_required{};      ///< a message answers, unless the request fails
   bool retry_is_safe{};          ///< sending it twice has the same effect as sending it once
@@ -187,8 +188,8 @@ struct ResponsePolicy {
   std::uint32_t timeout_ms{};
   /// For the last confirmation, or the response after a series, from the request on; 0: the same.
   std::uint32_t finish_ms{};
-  ConfirmationResult result{};
-  StreamChange stream{};
+  ConfirmationResult result{};  ///< a result that its confirmation holds
+  StreamChange stream{};        ///< a data stream that it starts, changes or ends
 
   /// Returns true if this request must not follow a later one, of any host. A stop is never
   /// superseded: speed 0 is less than motors off.

@@ -212,6 +212,7 @@ class BasicSession {
   /// Sets the line settings, after a change of the line or its settings.
   void set_line(const LineSettings& line) noexcept { settings_.set_line(line); }
 
+  /// Returns the counters since the session was made.
   SessionStatistics statistics() const noexcept {
     SessionStatistics result;
     if constexpr (has_statistics) result = statistics_;

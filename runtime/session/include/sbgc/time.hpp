@@ -32,7 +32,7 @@ constexpr std::int64_t subtract_saturating(std::int64_t a, std::int64_t b) noexc
 
 /// A duration in microseconds. Arithmetic saturates; it never wraps.
 struct Duration {
-  std::int64_t us{};
+  std::int64_t us{};  ///< microseconds
 
   // NOLINTNEXTLINE(modernize-use-nullptr): a false alarm of clang-tidy 14
   constexpr auto operator<=>(const Duration&) const = default;
@@ -60,7 +60,7 @@ constexpr Duration seconds(std::int64_t n) noexcept { return {n * 1'000'000}; }
 
 /// A point in time: microseconds since an arbitrary epoch, the same for all calls of one object.
 struct Instant {
-  std::int64_t us{};
+  std::int64_t us{};  ///< microseconds since a beginning that the owner chooses
 
   /// Later than any reachable point in time.
   static const Instant never;

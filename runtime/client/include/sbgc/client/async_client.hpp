@@ -61,6 +61,7 @@ namespace sbgc {
 ///     auto moved = co_await std::move(move);
 class AsyncClient {
  public:
+  /// Makes a client without a connection, whose handlers run on `executor`: see async_connect().
   explicit AsyncClient(const asio::any_io_executor& executor);
   AsyncClient(AsyncClient&&) noexcept = default;
   AsyncClient& operator=(AsyncClient&&) noexcept = default;
@@ -68,16 +69,19 @@ class AsyncClient {
   AsyncClient& operator=(const AsyncClient&) = delete;
   ~AsyncClient() = default;
 
+  /// The executor that was passed to the constructor.
   asio::any_io_executor executor() const { return executor_; }
 
   /// Like Client::connect(). Handler: void(Result<void>). Other operations fail with
   /// ErrorCode::not_connected until it has succeeded, and again after another attempt has started.
+  /// Errors: those of Client::connect(), and `cancelled`.
   template <class Token>
   auto async_connect(const std::string& address, const ConnectOptions& options, Token&& token) {
     return begin_connect(address, TransportFactory(), options, token);
   }
   /// The same, and connects again whenever the connection breaks. The first connection must
   /// succeed. Subscriptions and streams of an earlier connect end; new ones can begin at once.
+  /// Errors: the same.
   template <std::same_as<ReconnectOptions> Options, class Token>
   auto async_connect(const std::string& address, const Options& options, Token&& token) {
     return begin_connect(address, TransportFactory(), options, token);
@@ -86,7 +90,7 @@ class AsyncClient {
   auto async_connect(const std::string& address, Token&& token) {
     return async_connect(address, ConnectOptions(), std::forward<Token>(token));
   }
-  /// Like connect_over().
+  /// Like connect_over(). Errors: those of Client::connect(), and `cancelled`.
   template <class Token>
   auto async_connect_over(const TransportFactory& make, const ConnectOptions& options,
                           Token&& token) {
@@ -101,7 +105,7 @@ class AsyncClient {
     return async_connect_over(make, ConnectOptions(), std::forward<Token>(token));
   }
 
-  /// Like Client::call(). Handler: void(CallResult<M>).
+  /// Like Client::call(). Handler: void(CallResult<M>). Errors: those of Client::call().
   template <Callable M, class Token>
   auto async_call(const M& request, const CallOptions& options, Token&& token) {
     return operate<CallResult<M>>(
@@ -117,7 +121,7 @@ class AsyncClient {
     return async_call(request, CallOptions(), std::forward<Token>(token));
   }
 
-  /// Like Client::transact(). Handler: void(Result<Reply>).
+  /// Like Client::transact(). Handler: void(Result<Reply>). Errors: those of Client::transact().
   template <Callable M, class Token>
   auto async_transact(const M& request, const CallOptions& options, Token&& token) {
     return operate<Result<Reply>>(
@@ -131,7 +135,7 @@ class AsyncClient {
     return async_transact(request, CallOptions(), std::forward<Token>(token));
   }
 
-  /// Like Client::stream(). Handler: void(Result<Subscription>).
+  /// Like Client::stream(). Handler: void(Result<Subscription>). Errors: those of Client::stream().
   template <Message M, class Token, class Request = roles::StreamRequest>
   auto async_stream(std::chrono::milliseconds interval, std::function<void(const M&)> handler,
                     const CallOptions& options, Token&& token) {
@@ -157,7 +161,8 @@ class AsyncClient {
                            std::forward<Token>(token));
   }
 
-  /// The same for a message whose type is known only at run time, as Client::stream().
+  /// The same for a message whose type is known only at run time. Errors: those of
+  /// Client::stream().
   template <class Token>
   auto async_stream(const MessageType& type, const roles::StreamRequest& request,
                     std::function<void(const AnyMessage&)> handler, const CallOptions& options,
@@ -167,7 +172,8 @@ class AsyncClient {
         options, token);
   }
 
-  /// Like Client::stream_raw(). Handler: void(Result<Subscription>).
+  /// Like Client::stream_raw(). Handler: void(Result<Subscription>). Errors: those of
+  /// Client::stream().
   template <class Token>
   auto async_stream_raw(const roles::StreamRequest& request,
                         std::function<void(const Frame&)> handler, const CallOptions& options,
@@ -183,7 +189,7 @@ class AsyncClient {
 
   /// Like Client::run(): drives any of sbgc::tasks, or a task of your own, for example
   /// `client.async_run(tasks::move_to(target), token)`. Handler: void(R). Cancellation calls
-  /// TaskMachine::cancel().
+  /// TaskMachine::cancel(). Errors: those of the task, and `not_connected` if it cannot begin.
   template <class R, class Token>
   auto async_run(Task<R> task, Token&& token) {
     return operate<R>(token, [shared = std::make_shared<Task<R>>(std::move(task))](
@@ -202,6 +208,7 @@ class AsyncClient {
   Subscription subscribe(std::function<void(const M&)> handler) {
     return subscribe(detail::key_of<M>, detail::typed_handler<M>(std::move(handler)));
   }
+  /// Like Client::on_notice(). Returns an empty subscription before a connection.
   Subscription on_notice(std::function<void(const Notice&)> handler);
   /// Calls `handler` with each change of the state of the connection, on the executor. Returns an
   /// empty subscription before async_connect().
@@ -211,12 +218,15 @@ class AsyncClient {
 
   /// `closed` before a connection.
   LinkState state() const;
+  /// True if state() is LinkState::connected.
   bool is_connected() const { return state() == LinkState::connected; }
   /// Returns the number of connections that have been made.
   std::uint64_t connections() const;
   /// Empty before a connection.
   BoardIdentity identity() const;
+  /// Describes the current or the last line; empty before a connection.
   std::string description() const;
+  /// Returns the counters of the current or the last connection; zeros before one.
   ClientStatistics statistics() const;
   /// Ends every operation with ErrorCode::cancelled and closes the line.
   void close() noexcept;

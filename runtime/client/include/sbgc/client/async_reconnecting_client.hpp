@@ -15,6 +15,7 @@ class [[deprecated(
  public:
   using AsyncClient::AsyncClient;
 
+  /// Use AsyncClient::async_connect(). Errors: those of Client::connect(), and `cancelled`.
   template <class Token>
   auto async_connect(const std::string& address, const ReconnectOptions& options, Token&& token) {
     return AsyncClient::async_connect(address, options, std::forward<Token>(token));
@@ -23,6 +24,7 @@ class [[deprecated(
   auto async_connect(const std::string& address, Token&& token) {
     return async_connect(address, ReconnectOptions(), std::forward<Token>(token));
   }
+  /// Use AsyncClient::async_connect_over(). Errors: those of Client::connect(), and `cancelled`.
   template <class Token>
   auto async_connect_over(const TransportFactory& make, const ReconnectOptions& options,
                           Token&& token) {

@@ -67,9 +67,11 @@ class Client : public TaskCalls<Client> {
   /// Opens the address, detects the settings of a serial port whose address does not give them, and
   /// reads the identity of the board. Addresses, see <sbgc/io/open.hpp>: "/dev/ttyUSB0",
   /// "serial:/dev/ttyUSB0?baud=115200&parity=even", "tcp:host:port", "udp:host:port".
+  /// Errors: `invalid`, `not_found` for the port, the host or the board, `io`, `timeout`,
+  /// `bad_file` for a capture, `link_lost`, and those of call() for the questions to the board.
   static Result<Client> connect(const std::string& address, const ConnectOptions& options = {});
   /// The same, and connects again whenever the connection breaks. The first connection must
-  /// succeed. The options have to be named: `{}` means ConnectOptions.
+  /// succeed. The options have to be named: `{}` means ConnectOptions. Errors: those of connect().
   template <std::same_as<ReconnectOptions> Options>
   static Result<Client> connect(const std::string& address, const Options& options) {
     return keep_connected(address, options);
@@ -87,13 +89,18 @@ class Client : public TaskCalls<Client> {
   /// Sends a request and waits for the response that the protocol specifies: a message,
   /// confirmations or nothing. The result of an AnyMessage, see <sbgc/any.hpp>, is the response or
   /// confirmation, or nothing if the protocol has none.
+  ///
+  /// Errors: `unsupported` or `invalid` before anything is sent; `timeout`; `board_error`,
+  /// `board_reset`, `link_lost`; `not_connected`, during an outage or after close(); `overload`;
+  /// `cancelled`; `bad_response`; `unconfirmed` with CallOptions::expect_confirmation; `superseded`
+  /// for a motion that a later one replaces in the queue.
   template <Callable M>
   CallResult<M> call(const M& request, const CallOptions& options = {}) {
     return detail::read_response<M>(transact(request, options));
   }
 
   /// Like call(), but also reports how the request ended, and does not decode the response,
-  /// which may not be decodable.
+  /// which may not be decodable. Errors: those of call() except `bad_response` and `unconfirmed`.
   template <Callable M>
   Result<Reply> transact(const M& request, const CallOptions& options = {}) {
     return link_->call(
@@ -122,7 +129,8 @@ class Client : public TaskCalls<Client> {
     return link_->on_change(std::move(handler));
   }
 
-  /// Like transact(), for a request that is encoded already; see raw_request().
+  /// Like transact(), for a request that is encoded already; see raw_request(). Errors: those of
+  /// transact().
   Result<Reply> call_raw(RawRequest request, const CallOptions& options = {}) {
     return link_->call(
         [&](const detail::Conversation&) { return detail::Conversation::prepare(request); },
@@ -130,6 +138,7 @@ class Client : public TaskCalls<Client> {
   }
   /// Sends a request that is encoded already, without waiting, also not for a connection. `handler`
   /// is called exactly once: on the client's thread, or, if the request cannot be sent, at once.
+  /// Errors, of the handler: those of transact().
   void start_raw(RawRequest request, const CallOptions& options,
                  std::function<void(const Result<Reply>&)> handler);
 
@@ -144,7 +153,7 @@ class Client : public TaskCalls<Client> {
   /// Firmware without data streams is asked for M each time, if a request without content does it,
   /// at most as often as it answers; NoticeKind::polling reports that. A stream that the board
   /// refuses when it is started again is reported as a notice, NoticeKind::stream_ended, and tried
-  /// again with the next connection.
+  /// again with the next connection. Errors: those of call().
   template <Message M, class Request = roles::StreamRequest>
   Result<Subscription> stream(std::chrono::milliseconds interval,
                               std::function<void(const M&)> handler,
@@ -155,7 +164,7 @@ class Client : public TaskCalls<Client> {
   }
 
   /// The same for messages that need more than an interval: `request` holds the interval and the
-  /// configuration of the stream. This function sets its command.
+  /// configuration of the stream. This function sets its command. Errors: the same.
   template <Message M, class Request = roles::StreamRequest>
   Result<Subscription> stream(std::type_identity_t<Request> request,
                               std::function<void(const M&)> handler,
@@ -165,8 +174,8 @@ class Client : public TaskCalls<Client> {
         options);
   }
 
-  /// The same for a message whose type is known only at run time, one of stream_types(). Fails with
-  /// ErrorCode::invalid for another.
+  /// The same for a message whose type is known only at run time, one of stream_types(). Errors:
+  /// the same, `invalid` also for another type.
   Result<Subscription> stream(const MessageType& type, const roles::StreamRequest& request,
                               std::function<void(const AnyMessage&)> handler,
                               const CallOptions& options = {}) {
@@ -177,7 +186,7 @@ class Client : public TaskCalls<Client> {
 
   /// Makes the board send a data stream of any message, also of one that is not known here:
   /// `request` has its id, the interval and the configuration. `handler` gets the bytes of each
-  /// frame with this id, valid during the call.
+  /// frame with this id, valid during the call. Errors: those of stream().
   Result<Subscription> stream_raw(const roles::StreamRequest& request,
                                   std::function<void(const Frame&)> handler,
                                   const CallOptions& options = {}) {
@@ -185,7 +194,8 @@ class Client : public TaskCalls<Client> {
   }
 
   /// Drives a task to completion. The task waits on `clock` between its calls, and ends with the
-  /// connection on which it began.
+  /// connection on which it began. Errors: those of the task; `not_connected` if it cannot begin,
+  /// and `invalid` from a handler of this client.
   template <class R>
   R run(Task<R> task, Clock& clock = Clock::system()) {
     const auto refusal = link_->run(
@@ -199,7 +209,9 @@ class Client : public TaskCalls<Client> {
   /// without reconnection.
   void check() { link_->check(); }
 
+  /// Returns the state of the connection: `connected` or, without reconnection, `lost` or `closed`.
   LinkState state() const { return link_->state(); }
+  /// True if state() is LinkState::connected.
   bool is_connected() const { return state() == LinkState::connected; }
   /// Returns the number of connections that have been made; at least 1.
   std::uint64_t connections() const { return link_->connections(); }

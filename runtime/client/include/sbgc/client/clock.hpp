@@ -10,6 +10,7 @@ namespace sbgc {
 /// A steady clock to wait on.
 class Clock {
  public:
+  /// A time of the clock, which never goes back.
   using TimePoint = std::chrono::steady_clock::time_point;
 
   Clock() = default;
@@ -19,7 +20,9 @@ class Clock {
   Clock& operator=(Clock&&) = delete;
   virtual ~Clock() = default;
 
+  /// Returns the present time.
   virtual TimePoint now() = 0;
+  /// Waits until then.
   virtual void sleep_until(TimePoint until) = 0;
   /// Returns when `changed` is notified, at `until`, or spuriously.
   virtual void wait_until(std::unique_lock<std::mutex>& lock, std::condition_variable& changed,

@@ -20,7 +20,7 @@ using TransportFactory =
 
 /// Like Client::connect(), but over the transport that `make` returns, such as a custom Transport
 /// or one end of an in-memory pair. If the transport has a LineControl, the line settings are
-/// detected unless options.detect_line is false.
+/// detected unless options.detect_line is false. Errors: those of Client::connect().
 Result<Client> connect_over(const TransportFactory& make, const ConnectOptions& options = {});
 
 namespace detail {
@@ -29,13 +29,13 @@ Result<Client> keep_connected_over(const TransportFactory& make, const Reconnect
 
 /// The same, and connects again over another transport whenever the connection breaks. `make` is
 /// called for each attempt, on a thread of the client, and may return null if there is no transport
-/// now.
+/// now. Errors: those of Client::connect().
 template <std::same_as<ReconnectOptions> Options>
 Result<Client> connect_over(const TransportFactory& make, const Options& options) {
   return detail::keep_connected_over(make, options);
 }
 
-/// Use connect_over(). Removed with the next release.
+/// Use connect_over(). Errors: those of Client::connect(). Removed with the next release.
 [[deprecated("use connect_over() with ReconnectOptions")]] inline Result<Client> reconnecting_over(
     const TransportFactory& make, const ReconnectOptions& options = {}) {
   return connect_over(make, options);

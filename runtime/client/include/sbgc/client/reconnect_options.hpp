@@ -32,10 +32,13 @@ struct ReconnectOptions {
   ConnectOptions connection{};
   /// The pause before the second attempt; it doubles from one attempt to the next.
   std::chrono::milliseconds first_pause{250};
+  /// The limit of that.
   std::chrono::milliseconds longest_pause{4'000};
   /// How many attempts may fail in one outage; 0 means any number.
   unsigned attempts = 0;
+  /// What to do if the line leads to another board.
   OtherBoard other_board = OtherBoard::refuse;
+  /// What calls do during an outage.
   OutagePolicy calls = OutagePolicy::fail;
   /// A board is asked for a sign of life if a data stream is silent for this long and for three of
   /// its intervals. Without one, the connection counts as lost; else the stream is started again. 0
@@ -49,7 +52,7 @@ struct ReconnectOptions {
 
 /// The state of a connection that is made again when it breaks.
 enum class LinkState : std::uint8_t {
-  connected,
+  connected,    ///< the board has answered
   lost,         ///< the line broke, or the board is silent or restarting
   searching,    ///< attempts to connect are being made
   other_board,  ///< another board was found; see OtherBoard
@@ -72,7 +75,7 @@ constexpr const char* name(LinkState state) noexcept {
 
 /// A change of the state of a connection.
 struct LinkChange {
-  LinkState state{};
+  LinkState state{};      ///< the new one
   std::string message{};  ///< for people: a sentence without a final period
   BoardIdentity board{};  ///< of `connected` and `other_board`
 };

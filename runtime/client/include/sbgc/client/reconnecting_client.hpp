@@ -15,9 +15,11 @@ namespace sbgc {
 class [[deprecated("use Client::connect() with ReconnectOptions")]] ReconnectingClient
     : public Client {
  public:
+  /// Gives a client its former name.
   // NOLINTNEXTLINE(google-explicit-constructor): another name for the same
   ReconnectingClient(Client client) noexcept : Client(std::move(client)) {}
 
+  /// Use Client::connect(). Errors: its errors.
   static Result<ReconnectingClient> connect(const std::string& address,
                                             const ReconnectOptions& options = {}) {
     auto client = Client::connect(address, options);

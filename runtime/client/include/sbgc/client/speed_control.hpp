@@ -28,7 +28,9 @@ struct SpeedControlOptions {
   /// How often the speed is repeated, as a command may be lost. At least 20 ms, which the board
   /// requires.
   std::chrono::milliseconds repeat{100};
+  /// For `silence` and `repeat`. Must outlive the control.
   Clock& clock = Clock::system();
+  /// What ends the motion if this program dies.
   MotionBound bound = MotionBound::automatic;
   /// How long the camera may turn without a command, except with MotionBound::none. Several times
   /// `repeat`, so that a lost command does not matter; at most a minute.
@@ -68,6 +70,7 @@ struct SpeedControlOptions {
 /// executor needs. SpeedControlOptions::clock has no effect.
 class SpeedControl {
  public:
+  /// See SpeedControlState.
   using State = SpeedControlState;
 
   /// `client` must outlive this object.
@@ -82,20 +85,24 @@ class SpeedControl {
 
   /// Turns with these speeds from now on, also after silence. Axes with speed 0 hold still. If a
   /// later command of this client has stopped or moved the camera since the last call, fails once
-  /// with ErrorCode::superseded and sends nothing.
+  /// with ErrorCode::superseded and sends nothing. Errors, also of what was sent since: those of
+  /// Client::call(); `interrupted` with SpeedControlOptions::ends_when_stopped.
   Result<void> set(const Axes<msg::ControlSpeed>& speed);
-  /// Keeps the current speeds. Fails with ErrorCode::cancelled if there are none.
+  /// Keeps the current speeds. Fails with ErrorCode::cancelled if there are none. Errors: those of
+  /// set().
   Result<void> refresh();
-  /// Stops the camera. Use wait() to wait until it has stopped.
+  /// Stops the camera. Use wait() to wait until it has stopped. Errors: those of what was sent
+  /// since the last call.
   Result<void> stop();
   /// Stops the camera for good, without waiting. `done` is called once, on a thread of the client,
-  /// when the camera has stopped, or with what prevented that.
+  /// when the camera has stopped, or with what prevented that. Errors: those of stop().
   void close(std::function<void(const Result<void>&)> done);
-  /// Waits until nothing remains to be sent immediately.
+  /// Waits until nothing remains to be sent immediately. Errors: those of set().
   Result<void> wait();
   /// True if wait() would return at once. After stop(), the camera has then stopped.
   [[nodiscard]] bool has_settled() const;
 
+  /// Returns what the camera is told to do at present.
   [[nodiscard]] State state() const;
 
  private:

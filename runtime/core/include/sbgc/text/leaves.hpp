@@ -40,8 +40,8 @@ struct Leaf {
   const LaterMeaning* assumed_before{};
   // The position in the body.
   std::size_t offset{};  ///< 0 if only this value is looked for
-  std::size_t size{};
-  Secrets secrets{};  ///< whether the texts below show the value if it is secret
+  std::size_t size{};    ///< of bytes and text
+  Secrets secrets{};     ///< whether the texts below show the value if it is secret
 
   /// Returns the number on the wire, of which a double may not hold all digits.
   constexpr double number() const noexcept {

@@ -51,22 +51,23 @@ using CaptureTime = std::chrono::microseconds;
 
 /// The start of a session.
 struct CaptureSession {
-  std::chrono::sys_time<std::chrono::microseconds> start{};
-  std::uint64_t offset{};  ///< of the header in the file
+  std::chrono::sys_time<std::chrono::microseconds> start{};  ///< by the clock of the host
+  std::uint64_t offset{};                                    ///< of the header in the file
 
   bool operator==(const CaptureSession&) const = default;
 };
 
 /// Bytes of one direction, or a note, with its time.
 struct CaptureRecord {
-  CaptureKind kind{};  ///< may have unnamed values
-  CaptureTime time{};
-  std::span<const std::uint8_t> bytes{};
-  std::uint64_t offset{};  ///< of the record in the file
+  CaptureKind kind{};                     ///< may have unnamed values
+  CaptureTime time{};                     ///< since the start of the session
+  std::span<const std::uint8_t> bytes{};  ///< valid until the next call
+  std::uint64_t offset{};                 ///< of the record in the file
 };
 
 /// Bytes of the file that are neither a session header nor a record.
 struct CaptureDamage {
+  /// Why bytes of the file are no record.
   enum class Reason : std::uint8_t {
     not_a_capture,  ///< the file does not begin as a capture; it is the only item
     newer_version,  ///< a session of a newer version than this program supports
@@ -75,8 +76,8 @@ struct CaptureDamage {
   };
 
   Reason reason{};
-  std::uint64_t offset{};
-  std::uint64_t size{};
+  std::uint64_t offset{};  ///< of the damage, from the beginning of the file
+  std::uint64_t size{};    ///< of the damage, in bytes
 
   bool operator==(const CaptureDamage&) const = default;
 };
@@ -148,6 +149,7 @@ enum class CaptureFormat : std::uint8_t {
 /// Writes a capture.
 class CaptureWriter {
  public:
+  /// The clock of its times.
   using Clock = std::chrono::steady_clock;
 
   CaptureWriter() = default;
@@ -155,6 +157,7 @@ class CaptureWriter {
   /// a second; otherwise, it waits for the reader. The caller keeps ownership.
   explicit CaptureWriter(CaptureFormat format, int end = -1) : format_(format), end_(end) {}
   CaptureWriter(CaptureWriter&& other) noexcept;
+  /// Closes its own file, and takes over the other.
   CaptureWriter& operator=(CaptureWriter&& other) noexcept;
   CaptureWriter(const CaptureWriter&) = delete;
   CaptureWriter& operator=(const CaptureWriter&) = delete;
@@ -173,6 +176,7 @@ class CaptureWriter {
   /// Adds the bytes read or written at `now`; more than 65535 bytes become several records. After
   /// the first failure, writes nothing and returns that error.
   const Error& write(CaptureKind kind, std::span<const std::uint8_t> bytes, Clock::time_point now);
+  /// Adds a note for people, otherwise like write().
   const Error& write_note(std::string_view text, Clock::time_point now);
 
   /// Returns the first failure, if there was one.

@@ -39,9 +39,10 @@ inline std::error_code make_error_code(Errc code) noexcept {
 /// A failure, or none: a code for programs, a message for the user. True in a condition if it is a
 /// failure.
 struct Error {
-  std::error_code code{};
-  std::string message{};  ///< ends with a period, names the port or host, may have several lines
+  std::error_code code{};  ///< of Errc, or of the operating system
+  std::string message{};   ///< ends with a period, names the port or host, may have several lines
 
+  /// True if it is a failure.
   explicit operator bool() const noexcept { return static_cast<bool>(code); }
 };
 

@@ -20,9 +20,11 @@ class Observer {
   Observer& operator=(const Observer&) = delete;
   virtual ~Observer() = default;
 
+  /// Called with bytes that have arrived.
   virtual void on_read(std::span<const std::uint8_t> bytes) = 0;
   /// Called when the bytes are passed to the transport.
   virtual void on_written(std::span<const std::uint8_t> bytes) = 0;
+  /// Called when a read has failed.
   virtual void on_read_failed([[maybe_unused]] std::error_code error) {}
   /// `size` of `all` bytes were passed to the system before the error.
   virtual void on_write_failed([[maybe_unused]] std::error_code error,

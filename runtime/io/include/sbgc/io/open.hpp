@@ -19,9 +19,9 @@ namespace sbgc::io {
 
 /// The beginning of an address, and its whole form. Help and completion read it, too.
 struct AddressKind {
-  const char* name = "";    ///< "tcp"
-  const char* syntax = "";  ///< "tcp:HOST:PORT"
-  bool leads_to_gimbal = true;
+  const char* name = "";        ///< "tcp"
+  const char* syntax = "";      ///< "tcp:HOST:PORT"
+  bool leads_to_gimbal = true;  ///< false for one that waits for a host
 };
 
 /// "/dev/ttyUSB0", "serial:/dev/ttyUSB0?baud=57600&parity=even". A path without "serial:" has a
@@ -29,7 +29,7 @@ struct AddressKind {
 struct SerialAddress {
   static constexpr AddressKind kind{"serial", "serial:PATH?baud=NUMBER&parity=none|even"};
   std::string path;
-  LineSettings line = default_line;
+  LineSettings line = default_line;  ///< the default if the address gives no settings
   bool operator==(const SerialAddress&) const = default;
 };
 
@@ -73,9 +73,10 @@ inline constexpr auto address_kinds = []<class... Ts>(const std::variant<Ts...>*
 
 /// An address, or the error in its text.
 struct AddressResult {
-  Address address{};
-  Error error{};
+  Address address{};  ///< the address, if there is no error
+  Error error{};      ///< Errc::bad_address, with the correct syntax
 
+  /// True if the text is an address.
   explicit operator bool() const noexcept { return !error; }
 };
 

@@ -16,7 +16,7 @@ struct UsbInfo {
   std::uint16_t product_id{};
   std::string manufacturer;
   std::string product;
-  std::string serial_number;
+  std::string serial_number;  ///< empty if it has none
 };
 
 /// A serial port of the machine.

@@ -32,9 +32,10 @@ struct PseudoTerminalOptions {
 
 /// A pseudo-terminal, or the error that prevented it.
 struct PseudoTerminalResult {
-  std::unique_ptr<PseudoTerminal> transport{};
+  std::unique_ptr<PseudoTerminal> transport{};  ///< null after an error
   Error error{};
 
+  /// True if it was opened.
   explicit operator bool() const noexcept { return transport != nullptr; }
 };
 

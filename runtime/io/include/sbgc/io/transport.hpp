@@ -25,6 +25,7 @@ namespace sbgc::io {
 /// A transport must not outlive the execution context of its executor. Destroying it closes it.
 class Transport {
  public:
+  /// Takes the error, and the number of bytes.
   using Handler = std::function<void(std::error_code, std::size_t)>;
 
   Transport() = default;
@@ -45,6 +46,7 @@ class Transport {
   /// once.
   virtual void close() = 0;
 
+  /// Returns the executor of its handlers.
   virtual asio::any_io_executor executor() = 0;
 
   /// Returns a description for the user: "serial port /dev/ttyUSB0, 115200 8N1".
@@ -64,9 +66,10 @@ class Transport {
 
 /// A transport, or the error that prevented opening it.
 struct OpenResult {
-  std::unique_ptr<Transport> transport{};
+  std::unique_ptr<Transport> transport{};  ///< null after an error
   Error error{};
 
+  /// True if it was opened.
   explicit operator bool() const noexcept { return transport != nullptr; }
 };
 

@@ -21,6 +21,7 @@ struct Handle {
 
   // NOLINTNEXTLINE(modernize-use-nullptr): a false alarm of clang-tidy 14
   constexpr auto operator<=>(const Handle&) const = default;
+  /// True if it names a request.
   constexpr explicit operator bool() const noexcept { return number != 0; }
 };
 
@@ -90,10 +91,11 @@ inline constexpr Duration longest_timeout = seconds(3600);
 
 /// The result of send(): a handle if the status is ok.
 struct SendResult {
-  Handle handle{};
-  SendStatus status{};
-  Status encoding{};  ///< the reason for not_encodable
+  Handle handle{};      ///< of the request, for cancel() and events
+  SendStatus status{};  ///< why it was refused, or `ok`
+  Status encoding{};    ///< the reason for not_encodable
 
+  /// True if the request was accepted.
   constexpr explicit operator bool() const noexcept { return status == SendStatus::ok; }
 };
 
@@ -139,25 +141,25 @@ struct SessionStatistics {
   Framing framing{};            ///< in use
   std::uint64_t sent_frames{};  ///< retries included
   std::uint64_t sent_bytes{};
-  std::uint64_t retries{};
+  std::uint64_t retries{};       ///< transmissions of a request after the first
   std::uint64_t timeouts{};      ///< transmissions without a response
   std::uint64_t late_replies{};  ///< responses to requests that had ended
-  std::uint64_t unsolicited{};
-  std::uint64_t board_errors{};
-  std::uint64_t resets{};
-  std::uint64_t refused{};  ///< requests that send() did not accept
+  std::uint64_t unsolicited{};   ///< messages that no request asked for
+  std::uint64_t board_errors{};  ///< error messages of the board
+  std::uint64_t resets{};        ///< restarts of the board
+  std::uint64_t refused{};       ///< requests that send() did not accept
 };
 
 /// The bandwidth used by data streams, in bytes per second.
 struct StreamUsage {
-  std::uint32_t used{};
+  std::uint32_t used{};   ///< by all streams
   std::uint32_t limit{};  ///< 0: unlimited
 };
 
 /// The result of poll(): write these bytes now, and call poll() again at `deadline` at the latest.
 struct Output {
   std::span<const std::uint8_t> bytes{};  ///< a view, valid until the next poll()
-  Instant deadline = Instant::never;
+  Instant deadline = Instant::never;      ///< when to call poll() again at the latest
 };
 
 }  // namespace sbgc

@@ -41,9 +41,9 @@ namespace sbgc {
 
 /// The parameters of a board, and the identity of that board.
 struct Backup {
-  BoardIdentity board{};
-  ParameterSet parameters{};
-  std::string created{};  ///< UTC, e.g. "2024-05-01T12:00:00Z"
+  BoardIdentity board{};      ///< the board that had them
+  ParameterSet parameters{};  ///< every block that the board has
+  std::string created{};      ///< UTC, e.g. "2024-05-01T12:00:00Z"
   /// Parameter sets that the file lists but does not hold, because somebody removed them.
   std::vector<ParametersId> missing{};
 };
@@ -51,9 +51,9 @@ struct Backup {
 /// Returns the content of a backup file.
 std::string to_json_text(const Backup& backup);
 
-/// Parses the content of a backup file. Fails with ErrorCode::bad_file, and names the place, if
-/// anything is missing, unknown, contradictory or duplicated; with ErrorCode::incompatible if the
-/// format is newer. The JsonLimits of <sbgc/parse_json.hpp> apply: 16 MiB, 64 levels.
+/// Parses the content of a backup file. The JsonLimits of <sbgc/parse_json.hpp> apply: 16 MiB, 64
+/// levels. Errors: `bad_file`, which names the place, if anything is missing, unknown,
+/// contradictory or duplicated; `incompatible` if the format is newer.
 Result<Backup> parse_backup(std::string_view text);
 
 /// Returns the reasons why the parameters do not fit this board, e.g. "the board is a 3.1, the
@@ -74,7 +74,7 @@ struct RestoreOptions {
   bool dry_run = false;
   /// Restore even if the backup is from another board model or firmware.
   bool allow_other_model = false;
-  bool allow_other_firmware = false;
+  bool allow_other_firmware = false;  ///< the same for the firmware alone
   /// Restore what the backup holds even if Backup::missing is not empty.
   bool allow_partial = false;
   /// Reject values that the protocol does not allow, as write_parameters() does: for parameters
@@ -82,21 +82,24 @@ struct RestoreOptions {
   bool validate = false;
   /// For the whole operation.
   std::chrono::milliseconds timeout{180'000};
-  ProgressHandler progress{};
+  ProgressHandler progress{};  ///< returning false ends it with ErrorCode::cancelled
 };
 
-/// Fails with ErrorCode::incompatible if restore() refuses a backup of that board on this one.
+/// Says whether restore() takes a backup of that board for this one. Errors: `incompatible`.
 Result<void> check_fit(const BoardIdentity& board, const BoardIdentity& backup,
                        const RestoreOptions& options);
 
 namespace tasks {
 
 /// Reads all parameters of the board. `created` is stored in the backup: a task has no clock.
+/// Errors: those of read_parameters().
 Task<Result<Backup>> make_backup(std::string created, ReadOptions options = {});
 
 /// Sets the parameters of the board to those of a backup; others keep their values. Writes as
 /// write_parameters() does, but by default does not validate values, because a board held them
-/// before. Fails with ErrorCode::bad_file if parameters are missing, or if there are none at all.
+/// before. Errors, in WriteReport::outcome: `bad_file` if parameters are missing, or if there are
+/// none at all; `incompatible` as check_fit(); `invalid` without RestoreOptions::save_current,
+/// whose own errors end it; and those of write_parameters().
 Task<WriteReport> restore(Backup backup, RestoreOptions options = {});
 
 }  // namespace tasks

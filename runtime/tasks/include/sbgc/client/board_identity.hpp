@@ -11,7 +11,7 @@ namespace sbgc {
 
 /// The report of a board about itself when the client connects.
 struct BoardIdentity {
-  msg::BoardInfo info{};
+  msg::BoardInfo info{};                     ///< board, firmware, features
   std::optional<msg::BoardInfo3> details{};  ///< only of boards that have serial numbers
 
   /// Its versions, and which features it lacks.
@@ -20,6 +20,7 @@ struct BoardIdentity {
     if (details) result.features |= lacking_features(*details);
     return result;
   }
+  /// True if the board has this feature.
   bool has(msg::BoardFeature feature) const noexcept { return info.board_features.has(feature); }
   /// For example "2.59" or "2.43b9".
   std::string firmware_version() const;

@@ -40,11 +40,11 @@ struct BodeRecording {
 
 /// The progress of a recording.
 struct BodeProgress {
-  bool is_sent{};      ///< from now on, the camera may move
-  bool has_started{};  ///< the board has confirmed the start, or sent samples
-  std::size_t samples{};
-  std::size_t total{};
-  std::size_t lost{};
+  bool is_sent{};         ///< from now on, the camera may move
+  bool has_started{};     ///< the board has confirmed the start, or sent samples
+  std::size_t samples{};  ///< received
+  std::size_t total{};    ///< expected
+  std::size_t lost{};     ///< missing between those that were received
 };
 
 /// Options of record_bode().
@@ -63,7 +63,8 @@ namespace tasks {
 ///
 /// Messages do not say to which recording they belong. So the start is sent only after 250 ms
 /// without those of an earlier one; if they do not end within a second, the task fails with
-/// ErrorCode::board_error.
+/// ErrorCode::board_error. Errors: those of Client::call(); `invalid` without samples,
+/// `bad_response` if too many are lost.
 Task<Result<BodeRecording>> record_bode(msg::BodeTestStartStopRequest request,
                                         BodeOptions options = {});
 
@@ -75,7 +76,7 @@ std::string to_csv(const BodeRecording& recording);
 /// The longest file that parse_bode_csv() reads, in bytes.
 inline constexpr std::size_t max_bode_csv = 64U << 20U;
 
-/// Reads the CSV format of the vendor's program. The error names the line.
+/// Reads the CSV format of the vendor's program. Errors: `bad_file`, which names the line.
 Result<BodeRecording> parse_bode_csv(std::string_view text);
 
 }  // namespace sbgc

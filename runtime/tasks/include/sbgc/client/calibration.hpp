@@ -23,11 +23,12 @@ enum class Sensor : std::uint8_t { accelerometer, gyroscope };
 struct CalibrationProgress {
   bool has_started{};                     ///< the board has confirmed the start
   std::optional<msg::CalibInfo> state{};  ///< reported by the board, if it can
-  std::chrono::milliseconds elapsed{};
+  std::chrono::milliseconds elapsed{};    ///< since the start of the task
 };
 
 /// Options of calibrate().
 struct CalibrationOptions {
+  /// The sensor board: that of the camera, that of the frame, or the one in use.
   msg::CalibImu imu = msg::CalibImu::active;
   /// Actions that only manage calibrations and restart the board end with their confirmation. All
   /// others are confirmed at the start and at the end.
@@ -67,12 +68,12 @@ namespace tasks {
 /// Calibrates a sensor and waits until the calibration ends. The camera must be still for a
 /// gyroscope, and level for an accelerometer. Fails if the board restarts meanwhile, and with
 /// ErrorCode::unconfirmed if it does not confirm the start. The error says whether the calibration
-/// had started.
+/// had started. Errors: those of Client::call(), and `cancelled` by CalibrationOptions::progress.
 Task<Result<void>> calibrate(Sensor sensor, CalibrationOptions options = {});
 
 /// The same with the request of any calibration, such as msg::CalibPoles{} or msg::CalibBat{}.
 /// `options.imu` and `options.action` only select what is polled for the progress; the request says
-/// what to calibrate.
+/// what to calibrate. Errors: those of calibrate().
 template <Message M>
 Task<Result<CalibrationEnd>> run_calibration(M request, const CalibrationOptions& options = {}) {
   return detail::run_calibration(
@@ -83,8 +84,8 @@ Task<Result<CalibrationEnd>> run_calibration(M request, const CalibrationOptions
       },
       response_policy(request).is_certain(), options);
 }
-/// The same with a request of calibrations(), see <sbgc/client/calibrations.hpp>. Fails with
-/// ErrorCode::invalid if it is none of them.
+/// The same with a request of calibrations(), see <sbgc/client/calibrations.hpp>. Errors: those of
+/// calibrate(), and `invalid` if it is none of them.
 Task<Result<CalibrationEnd>> run_calibration(AnyMessage request, CalibrationOptions options = {});
 
 }  // namespace tasks

@@ -9,15 +9,15 @@ namespace sbgc {
 
 /// A request that starts a calibration.
 struct CalibrationForm {
-  const MessageInfo* info{};
-  bool has_action{};  ///< what to do, and on which IMU
+  const MessageInfo* info{};  ///< of the request
+  bool has_action{};          ///< what to do, and on which IMU
 };
 
 /// The conditions of a calibration, as far as live data show them. MessageInfo::preparation
 /// says everything in words.
 struct CalibrationConditions {
-  bool motors_off{};
-  bool still{};
+  bool motors_off{};       ///< the motors must be off
+  bool still{};            ///< the sensor must not move
   bool one_side_up{};      ///< a side of the sensor points straight up
   bool level{};            ///< the camera is level
   bool motors_can_turn{};  ///< they have power, the camera is balanced, and no error stops them
@@ -26,11 +26,12 @@ struct CalibrationConditions {
 
 /// The name of a calibration for users, and its requests, the simplest first.
 struct Calibration {
-  const char* name = "";
-  std::vector<CalibrationForm> forms{};
-  bool needs_values = false;  ///< without them, the request means nothing
-  CalibrationConditions conditions{};
+  const char* name = "";                 ///< for people
+  std::vector<CalibrationForm> forms{};  ///< the requests that start it
+  bool needs_values = false;             ///< without them, the request means nothing
+  CalibrationConditions conditions{};    ///< what it expects of the gimbal
 
+  /// Returns its simplest request.
   const MessageInfo& info() const { return *forms.front().info; }
 };
 

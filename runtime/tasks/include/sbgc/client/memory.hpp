@@ -23,7 +23,7 @@ struct TransferOptions {
   std::chrono::milliseconds timeout{120'000};
   /// Read back the written data.
   bool verify = true;
-  ProgressHandler progress{};
+  ProgressHandler progress{};  ///< returning false ends it with ErrorCode::cancelled
 };
 
 /// The size of the memory that a board has for programs of users, in bytes.
@@ -35,7 +35,8 @@ namespace tasks {
 using Bytes = std::vector<std::uint8_t>;
 
 /// Reads `size` bytes of the EEPROM from `address`; neither needs to be a multiple of the page
-/// size. Fails with ErrorCode::invalid if the range exceeds the EEPROM.
+/// size. Errors: those of Client::call(), `invalid` if the range exceeds the EEPROM, `mismatch` if
+/// the answers do not agree, `cancelled` by TransferOptions::progress.
 Task<Result<Bytes>> download_eeprom(std::uint32_t address, std::size_t size,
                                     TransferOptions options = {});
 
@@ -44,29 +45,35 @@ Task<Result<Bytes>> download_eeprom(std::uint32_t address, std::size_t size,
 ///
 /// The EEPROM also holds the board's parameters: writing to a wrong address can make a board
 /// unusable. If the transfer fails, the error reports the address up to which the data were
-/// written.
+/// written. Errors: those of download_eeprom(); `mismatch` also if the data read back differ.
 Task<Result<void>> upload_eeprom(std::uint32_t address, Bytes data, TransferOptions options = {});
 
-/// Returns the size of a file in bytes. Fails with ErrorCode::not_found if there is no such file.
+/// Returns the size of a file in bytes. Errors: those of Client::call(); `not_found` if there is no
+/// such file.
 Task<Result<std::size_t>> file_size(std::uint16_t file);
 
-/// Reads a whole file. Fails with ErrorCode::not_found if there is no such file.
+/// Reads a whole file. Errors: those of file_size(); `mismatch` if its size changes meanwhile,
+/// `cancelled` by TransferOptions::progress.
 Task<Result<Bytes>> download_file(std::uint16_t file, TransferOptions options = {});
 
 /// Writes a whole file and replaces a file with the same id. If the transfer fails, that file may
 /// be damaged. `data` must not be empty: the protocol deletes a file by writing an empty one.
+/// Errors: those of Client::call(); `invalid` for the size; `mismatch` if it reads back
+/// differently; `cancelled` by TransferOptions::progress.
 Task<Result<void>> upload_file(std::uint16_t file, Bytes data, TransferOptions options = {});
 
-/// Deletes a file. Fails with ErrorCode::not_found if there is no such file.
+/// Deletes a file. Errors: those of file_size().
 Task<Result<void>> delete_file(std::uint16_t file);
 
-/// Deletes all files.
+/// Deletes all files. Errors: those of Client::call().
 Task<Result<void>> delete_all_files();
 
-/// Reads the whole area that the board reserves for user data.
+/// Reads the whole area that the board reserves for user data. Errors: those of Client::call();
+/// `mismatch` if the answers do not agree.
 Task<Result<Bytes>> download_user_data();
 
 /// Writes `data` to this area at `offset` and verifies it; other bytes stay unchanged.
+/// Errors: `invalid` if the data do not fit, and those of write_parameters().
 Task<Result<void>> upload_user_data(std::size_t offset, Bytes data);
 
 }  // namespace tasks

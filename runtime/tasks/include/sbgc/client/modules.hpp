@@ -30,7 +30,9 @@ namespace tasks {
 /// false, the loading ends as with an error.
 ///
 /// A line that may repeat packets, UDP or one with a ConnectOptions::duplicate_window, is refused
-/// with ErrorCode::unsupported: confirmations do not name their part.
+/// with ErrorCode::unsupported: confirmations do not name their part. Errors: those of
+/// Client::call(); `invalid` as module_firmware_problem(), `not_found` if the board does not list
+/// the module.
 Task<Result<void>> flash_module(msg::ModuleId module, std::vector<std::uint8_t> firmware,
                                 ProgressHandler progress = {});
 

@@ -15,10 +15,10 @@ using MoveTarget = Axes<Optional<msg::Angle14>>;
 
 /// The progress of a move.
 struct MoveProgress {
-  Axes<msg::Angle14> angles{};  ///< measured
-  Axes<double> remaining{};     ///< signed, in degrees; 0 for axes that do not move
-  bool is_close{};              ///< all axes are within the tolerance
-  std::chrono::milliseconds elapsed{};
+  Axes<msg::Angle14> angles{};          ///< measured
+  Axes<double> remaining{};             ///< signed, in degrees; 0 for axes that do not move
+  bool is_close{};                      ///< all axes are within the tolerance
+  std::chrono::milliseconds elapsed{};  ///< since the start of the move
 };
 
 /// Options of move_to().
@@ -70,21 +70,24 @@ namespace tasks {
 /// the target is given until the timeout.
 ///
 /// Angles cover two full turns in each direction: 370 degrees is a different target from 10.
+///
+/// Errors: `timeout` if the camera has not arrived in time; `interrupted` and `superseded` as
+/// above; `cancelled` by MoveOptions::progress; `invalid`; and those of Client::call().
 Task<Result<MoveProgress>> move_to(MoveTarget target, MoveOptions options = {});
 
 /// The same, but returns as soon as the camera turns to its target or is there. The timeout is for
 /// this beginning; `progress` and `settle` have no effect. The camera stops at the target by
-/// itself, also if the line is lost.
+/// itself, also if the line is lost. Errors: those of move_to().
 Task<Result<MoveProgress>> begin_move(MoveTarget target, MoveOptions options = {});
 
 /// Stops all axes where they are, and succeeds when the board has reported speed 0 for each for
 /// StopOptions::rest; until then, it stops again what turns. A later motion of this client ends it
 /// with ErrorCode::superseded. If the board has answered all the time and the camera still turns,
 /// somebody else turns it: ErrorCode::interrupted. Serial control remains active, with speed 0; see
-/// release().
+/// release(). Errors: those of Client::call(), `timeout` also if the board does not answer at all.
 Task<Result<void>> stop(StopOptions options = {});
 
-/// Ends serial control and returns control to RC.
+/// Ends serial control and returns control to RC. Errors: those of Client::call().
 Task<Result<void>> release();
 
 /// Makes the board end serial control when it receives no control command for `timeout`, as
@@ -94,7 +97,7 @@ Task<Result<void>> release();
 ///
 /// The same command turns off the low-pass filters of commanded angles and speeds, which a program
 /// may have turned on since the board started; the protocol can neither keep nor read them. All
-/// other settings stay as they are.
+/// other settings stay as they are. Errors: those of Client::call(); `invalid` for the timeout.
 Task<Result<void>> set_control_timeout(std::chrono::milliseconds timeout);
 
 }  // namespace tasks

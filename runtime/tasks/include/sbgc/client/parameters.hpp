@@ -49,8 +49,8 @@ concept ParameterMessage = requires {
 
 /// Identifies parameters: the name of the message that holds them, and the copy, counted from 0.
 struct ParametersId {
-  std::string message{};
-  std::uint8_t copy{};
+  std::string message{};  ///< for example "ReadParams3"
+  std::uint8_t copy{};    ///< the profile, for most messages
 
   bool operator==(const ParametersId&) const = default;
 };
@@ -63,7 +63,7 @@ std::string to_text(const std::vector<ParametersId>& ids);
 /// The parameters of one message, as its body.
 struct Parameters {
   ParametersId id{};
-  std::vector<std::uint8_t> body{};
+  std::vector<std::uint8_t> body{};  ///< as the board sends it
 
   bool operator==(const Parameters&) const = default;
 };
@@ -71,15 +71,16 @@ struct Parameters {
 /// All or some parameters of a board. Every block can be decoded.
 class ParameterSet {
  public:
+  /// Returns all blocks, in the order in which they were added.
   const std::vector<Parameters>& all() const noexcept { return blocks_; }
+  /// Returns the block with this id; null if the set has none.
   const Parameters* find(const ParametersId& id) const noexcept;
 
-  /// Adds a block, or replaces the one with the same id. Fails with ErrorCode::invalid if no
-  /// message holds such parameters, if the message cannot have this body, or if the body is of
-  /// another copy.
+  /// Adds a block, or replaces the one with the same id. Errors: `invalid` if no message holds such
+  /// parameters, if the message cannot have this body, or if the body is of another copy.
   Result<void> put(Parameters block);
 
-  /// Returns the parameters of copy `copy`. Fails with ErrorCode::not_found if the set has none.
+  /// Returns the parameters of copy `copy`. Errors: `not_found` if the set has none.
   template <ParameterMessage M>
   Result<M> get(std::uint8_t copy = 0) const {
     const Parameters* const block = find({ParametersOf<M>::name, copy});
@@ -89,7 +90,7 @@ class ParameterSet {
     return message;
   }
 
-  /// Adds parameters; the message determines the copy.
+  /// Adds parameters; the message determines the copy. Errors: those of put().
   template <ParameterMessage M>
   Result<void> set(const M& message) {
     std::uint8_t copy = 0;
@@ -109,22 +110,23 @@ class ParameterSet {
 
 /// A field whose value differs. The text of a field that a shorter body lacks is empty.
 struct FieldChange {
-  std::string path{};  ///< for example "axes.roll.p"
-  std::string before{};
-  std::string after{};
+  std::string path{};            ///< for example "axes.roll.p"
+  std::string before{};          ///< as on the wire
+  std::string after{};           ///< as on the wire
   std::string before_meaning{};  ///< for example "-30 deg" or "FOLLOW_MODE_FC"; may be ""
-  std::string after_meaning{};
+  std::string after_meaning{};   ///< the same for `after`
 
   bool operator==(const FieldChange&) const = default;
 };
 
 /// The changes within one block, or the fact that only one set has it.
 struct ParametersChange {
+  /// Whether both sets have the block, or one of them.
   enum class Kind : std::uint8_t { changed, only_before, only_after };
 
   ParametersId id{};
   Kind kind{};
-  std::vector<FieldChange> fields{};
+  std::vector<FieldChange> fields{};  ///< of `changed`
 
   bool operator==(const ParametersChange&) const = default;
 };
@@ -143,7 +145,7 @@ std::string to_text(const std::vector<ParametersChange>& changes);
 struct ReadOptions {
   /// For the whole operation.
   std::chrono::milliseconds timeout{60'000};
-  ProgressHandler progress{};
+  ProgressHandler progress{};  ///< returning false ends it with ErrorCode::cancelled
   /// Returns true for the parameters to read; all, if it is empty.
   std::function<bool(const ParametersId&)> wanted{};
 };
@@ -158,7 +160,7 @@ struct WriteOptions {
   /// Reject values that the protocol does not allow on this board in the fields that change, and
   /// general parameters that differ between the wanted profiles but not on the board.
   bool validate = true;
-  ProgressHandler progress{};
+  ProgressHandler progress{};  ///< returning false ends it with ErrorCode::cancelled
 };
 
 /// The known state of one block on the board.
@@ -176,7 +178,7 @@ const char* name(ParametersState state) noexcept;
 /// The report on one block.
 struct ParametersReport {
   ParametersId id{};
-  ParametersState state = ParametersState::unwritten;
+  ParametersState state = ParametersState::unwritten;  ///< what is known of the board
   /// The wanted changes, relative to the previous parameters of the board.
   std::vector<FieldChange> wanted{};
   /// How the values on the board differ from the wanted ones, if the state is `different`.
@@ -192,8 +194,9 @@ struct WriteReport {
 
   /// Success if the board holds all wanted parameters, or would after a dry run.
   Result<void> outcome{};
-  std::vector<ParametersReport> parameters{};
+  std::vector<ParametersReport> parameters{};  ///< one for each wanted block
 
+  /// True if `outcome` is a success.
   explicit operator bool() const noexcept { return static_cast<bool>(outcome); }
 };
 
@@ -203,7 +206,8 @@ std::string to_text(const WriteReport& report);
 namespace tasks {
 
 /// Reads the parameters that this board and firmware have: all, or those that are wanted. In the
-/// first framing, reads each block at least twice.
+/// first framing, reads each block at least twice. Errors: those of Client::call(); `mismatch` if
+/// the answers do not agree; `cancelled` by ReadOptions::progress.
 Task<Result<ParameterSet>> read_parameters(ReadOptions options = {});
 
 /// Sets the parameters of the board to those in `wanted`; others keep their values.
@@ -213,6 +217,10 @@ Task<Result<ParameterSet>> read_parameters(ReadOptions options = {});
 /// again at the end. Fields that hold state of the board, and bytes of the board past the end of a
 /// wanted body, are written back unchanged. A failure does not undo earlier writes: the report says
 /// what the board holds.
+///
+/// Errors, in WriteReport::outcome: those of read_parameters(); before anything is written,
+/// `unsupported` or `incompatible` for what this board lacks, and `invalid` for values; `mismatch`
+/// if the board holds other values afterwards.
 Task<WriteReport> write_parameters(ParameterSet wanted, WriteOptions options = {});
 
 }  // namespace tasks

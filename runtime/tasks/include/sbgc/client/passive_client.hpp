@@ -51,14 +51,15 @@ class PassiveClient {
   /// Changes the line to these settings and discards what has arrived; returns false if it cannot.
   using SetLine = std::function<bool(const LineSettings&)>;
   /// Searches for the line settings at which the board answers, as Detector does, and keeps them.
-  /// Precedes everything else; fails with ErrorCode::not_found, and then can be called again.
+  /// Precedes everything else. Errors: `not_found`; it can be called again then.
   void detect_line(SetLine set_line, std::function<void(const Result<void>&)> done);
   /// Says which settings the line has, which pacing and timeouts depend on.
   void set_line(const LineSettings& line);
   /// Asks the board for its identity, with the password if there is one, and changes to its newest
   /// framing if the board answers in it. Tasks that start before it is known fail for boards and
-  /// firmware that lack a command.
+  /// firmware that lack a command. Errors: those of Client::call().
   void connect(std::function<void(const Result<void>&)> done);
+  /// Returns the identity of the board; empty before connect() has succeeded.
   const BoardIdentity& identity() const noexcept;
   /// Counters since it was made.
   SessionStatistics statistics() const noexcept;
@@ -79,7 +80,9 @@ class PassiveClient {
   Subscription subscribe(std::function<void(const M&)> handler) {
     return subscribe(detail::key_of<M>, detail::typed_handler<M>(std::move(handler)));
   }
+  /// Calls `handler` for all other events: resets, errors.
   Subscription on_notice(std::function<void(const Notice&)> handler);
+  /// Calls `handler` with every frame that the board sends, also with those of unknown messages.
   Subscription on_frame(std::function<void(const BoardFrame&)> handler);
 
   /// Takes bytes from the board.
@@ -93,6 +96,7 @@ class PassiveClient {
   Instant deadline() const noexcept;
 
   class State;
+  /// For the library itself.
   State& state() const noexcept { return *state_; }
 
  private:

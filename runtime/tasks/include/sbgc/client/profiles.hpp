@@ -20,23 +20,24 @@ inline constexpr std::size_t profile_name_size =
 /// One name for each profile.
 struct ProfileNames : std::array<std::string, profile_count> {};
 
-/// Fails if a profile cannot have this name: too many bytes, invalid UTF-8, or a NUL. Names are
-/// never truncated.
+/// Says whether a profile can have this name; names are never truncated. Errors: `invalid` for too
+/// many bytes, invalid UTF-8, or a NUL.
 Result<void> check_profile_name(std::string_view name);
 
 namespace tasks {
 
-/// Returns the profile that the board works with, counted from 0.
+/// Returns the profile that the board works with, counted from 0. Errors: those of Client::call().
 Task<Result<std::size_t>> active_profile();
 
 /// Returns the names on the board, without padding. Bytes that are not UTF-8 are kept.
+/// Errors: those of Client::call(); `mismatch` if the answers do not agree.
 Task<Result<ProfileNames>> profile_names();
 
 /// Renames one profile, counted from 0, and verifies it. The other names stay unchanged, byte for
-/// byte.
+/// byte. Errors: `invalid` for the profile or the name, and those of write_parameters().
 Task<Result<void>> rename_profile(std::size_t profile, std::string name);
 
-/// Renames all profiles and verifies the names.
+/// Renames all profiles and verifies the names. Errors: those of rename_profile().
 Task<Result<void>> rename_profiles(ProfileNames names);
 
 }  // namespace tasks

@@ -11,6 +11,7 @@ namespace sbgc {
 
 /// A question of a task to the user.
 struct Question {
+  /// What is asked.
   enum class Kind : std::uint8_t {
     turn_motors_off,  ///< may the motors lose power? The camera drops to its heavy side
     is_still,         ///< is the sensor still, although it reports an even turn?
@@ -26,7 +27,7 @@ using AskHandler = std::function<void(const Question&, std::function<void(bool)>
 
 namespace tasks {
 
-/// Waits for the answer; without a handler, it is no.
+/// Waits for the answer; without a handler, it is no. Errors: `cancelled`.
 Task<Result<bool>> ask(AskHandler handler, Question question);
 
 }  // namespace tasks

@@ -17,8 +17,8 @@ namespace sbgc {
 struct RawRequest {
   std::uint8_t id{};
   std::vector<std::uint8_t> body{};  ///< at most max_body_size bytes
-  ResponsePolicy policy{};
-  std::uint16_t host{};  ///< whose request it is; see SendOptions::host
+  ResponsePolicy policy{};           ///< what answers it, and how long that may take
+  std::uint16_t host{};              ///< whose request it is; see SendOptions::host
   /// Called on the client's thread with each frame from the board that belongs to this request: its
   /// response, its confirmations, and errors.
   std::function<void(const Frame&)> on_frame{};
@@ -26,8 +26,8 @@ struct RawRequest {
 
 /// Returns a request with the policy of its message, also if it has more bytes than boards know,
 /// which they ignore (see <sbgc/surplus.hpp>). A request that no message describes is sent
-/// once, and any body with the same id, or a confirmation, is its response. Fails with
-/// ErrorCode::invalid if the body is too long or the id is 0.
+/// once, and any body with the same id, or a confirmation, is its response. Errors:
+/// `invalid` if the body is too long or the id is 0.
 Result<RawRequest> raw_request(std::uint8_t id, std::span<const std::uint8_t> body);
 
 /// A frame from the board.

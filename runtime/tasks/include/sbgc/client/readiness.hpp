@@ -13,11 +13,11 @@ namespace sbgc {
 
 /// Options of check_readiness().
 struct ReadinessOptions {
-  CalibrationConditions conditions{};
-  bool of_frame = false;             ///< the IMU of the frame is calibrated
-  std::optional<double> voltage{};   ///< of the battery, in volts
-  std::vector<std::size_t> sides{};  ///< of the sensor that were up before
-  AskHandler ask{};
+  CalibrationConditions conditions{};  ///< what to check
+  bool of_frame = false;               ///< the IMU of the frame is calibrated
+  std::optional<double> voltage{};     ///< of the battery, in volts
+  std::vector<std::size_t> sides{};    ///< of the sensor that were up before
+  AskHandler ask{};                    ///< for what only a person can tell
 };
 
 /// The result of check_readiness().
@@ -31,6 +31,7 @@ namespace tasks {
 
 /// Checks what the board can tell of the conditions of a calibration. If the motors must be off, it
 /// turns them off after asking, and changes nothing else. Ends at the first problem.
+/// Errors: those of Client::call(); a condition that does not hold is none.
 Task<Result<Readiness>> check_readiness(ReadinessOptions options);
 
 }  // namespace tasks

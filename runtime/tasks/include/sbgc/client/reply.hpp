@@ -23,7 +23,7 @@ enum class ReplyKind : std::uint8_t {
 
 /// The reply to a request.
 struct Reply {
-  ReplyKind kind{};
+  ReplyKind kind{};                  ///< how the call ended
   std::uint8_t id{};                 ///< of the response, or of the last confirmation; otherwise 0
   std::vector<std::uint8_t> body{};  ///< of that message
   /// The context from earlier messages that decoding needs, if any.

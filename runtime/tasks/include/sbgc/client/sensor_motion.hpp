@@ -26,7 +26,7 @@ std::size_t side_of(const Axes<double>& up);
 
 namespace tasks {
 
-/// Watches the active sensor, or that of the frame, for a second.
+/// Watches the active sensor, or that of the frame, for a second. Errors: those of Client::call().
 Task<Result<SensorMotion>> watch_sensor(bool of_frame);
 
 }  // namespace tasks

@@ -45,6 +45,7 @@ namespace sbgc {
 
 /// The next action for the driver of a task.
 struct TaskStep {
+  /// What the driver must do.
   enum class Kind : std::uint8_t {
     call,    ///< start `request`; pass its result to TaskMachine::replied()
     cancel,  ///< cancel `call`; its result no longer matters
@@ -53,13 +54,14 @@ struct TaskStep {
   };
 
   Kind kind{};
-  CallId call{};
-  Result<detail::Request> request = ClientError{};
+  CallId call{};  ///< of `call` and `cancel`
+  Result<detail::Request> request =
+      ClientError{};  ///< of `call`; an error is the result of the call
   /// For a `call` that starts a data stream: the request that ends it. Pass the frames of the
   /// stream to TaskMachine::received(); `cancel` ends it, also after the reply.
   std::optional<detail::Request> stream_end{};
-  CallOptions options{};
-  Instant until = Instant::never;
+  CallOptions options{};           ///< of `call`
+  Instant until = Instant::never;  ///< of `wait`
   /// For `wait`: true if TaskMachine::wake() ends it.
   bool can_be_woken = false;
   /// For `cancel`: what TaskMachine::keep() has kept for the call. Drop it after canceling.
@@ -69,6 +71,7 @@ struct TaskStep {
 /// The state of a running task. Not thread-safe.
 class TaskMachine {
  public:
+  /// Task::begin() makes it.
   explicit TaskMachine(const BoardIdentity& board) : board_(board) {}
   TaskMachine(const TaskMachine&) = delete;
   TaskMachine& operator=(const TaskMachine&) = delete;
@@ -91,6 +94,7 @@ class TaskMachine {
   void confirmed(CallId id);
   /// Reports a message of the series that precedes the response to a call, or of its data stream.
   void received(CallId id, std::vector<std::uint8_t> body);
+  /// Reports a notice of the client, which the listeners of the task get.
   void notice(const Notice& notice);
   /// Reports a message of the board that belongs to no call, if overhears().
   void overheard(std::uint8_t id, std::span<const std::uint8_t> body);
@@ -101,6 +105,7 @@ class TaskMachine {
   void supersede(TaskNumber by) noexcept { is_superseded_ = is_superseded_ || number_ < by; }
   /// Its place among the tasks of the client, which its calls carry; 0 if there is none.
   TaskNumber number() const noexcept { return number_; }
+  /// Gives it that place.
   void set_number(TaskNumber number) noexcept {
     if (std::exchange(number_, number) != number) is_superseded_ = false;
   }
@@ -114,7 +119,9 @@ class TaskMachine {
 
   // For the task.
 
+  /// Returns the time of the last step.
   Instant now() const noexcept { return now_; }
+  /// Returns the identity of the board.
   const BoardIdentity& identity() const noexcept { return board_; }
   /// The framing of the board's last answer.
   Framing framing() const noexcept { return framing_; }
@@ -152,10 +159,15 @@ class TaskMachine {
   /// Drops a call; cancels it if it is running, and ends its data stream.
   void end(CallId id);
 
+  /// Takes a notice.
   using NoticeHandler = std::function<void(const Notice&)>;
+  /// A place in the list of listeners.
   using Listener = std::list<NoticeHandler>::iterator;
+  /// Calls the handler with each notice until stop_listening().
   Listener listen(NoticeHandler handler);
+  /// Ends that.
   void stop_listening(Listener listener) { listeners_.erase(listener); }
+  /// Takes a message that belongs to no call.
   using OverhearingHandler =
       std::function<void(std::uint8_t id, std::span<const std::uint8_t> body)>;
   /// Calls the handler with each message that belongs to no call; an empty one ends that.
@@ -168,6 +180,7 @@ class TaskMachine {
     Instant until = Instant::never;
     bool for_wake = false;  ///< also wake()
   };
+  /// Notes which coroutine waits, and for what; the functions of sbgc::tasks do that.
   void wait(std::coroutine_handle<> coroutine, const Wait& wait) noexcept {
     coroutine_ = coroutine;
     wait_ = wait;
@@ -224,11 +237,15 @@ class [[nodiscard]] Task {
   struct Promise;
 
  public:
+  /// What the language requires of a coroutine.
   using promise_type = Promise;
+  /// What it returns.
   using result_type = R;
 
+  /// Takes over a task that has not begun, or is driven.
   Task(Task&& other) noexcept
       : coroutine_(std::exchange(other.coroutine_, nullptr)), machine_(std::move(other.machine_)) {}
+  /// Exchanges two tasks.
   Task& operator=(Task&& other) noexcept {
     std::swap(coroutine_, other.coroutine_);
     std::swap(machine_, other.machine_);
@@ -253,13 +270,16 @@ class [[nodiscard]] Task {
   // For use inside another task.
   // NOLINTBEGIN(readability-identifier-naming): names that the language requires
 
+  /// False: a task does nothing before it is awaited.
   bool await_ready() const noexcept { return false; }
+  /// Runs it in the machine of the task that awaits it.
   template <class Other>
   void await_suspend(std::coroutine_handle<Other> awaiting) noexcept {
     coroutine_.promise().machine = awaiting.promise().machine;
     coroutine_.promise().awaiting = awaiting;
     coroutine_.promise().machine->go_on(coroutine_);
   }
+  /// Returns its result.
   R await_resume() { return *std::move(coroutine_.promise().result); }
 
   // NOLINTEND(readability-identifier-naming)

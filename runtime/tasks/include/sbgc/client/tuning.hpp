@@ -15,7 +15,7 @@ namespace sbgc {
 
 /// The axes to tune, and the way to tune them.
 struct TuningChoice {
-  Axes<bool> axes{true, true, true};
+  Axes<bool> axes{true, true, true};  ///< those to tune
   double gain = 50;           ///< from 0, which prefers stability, to 100, which prefers high gains
   bool from_current = false;  ///< begin with the present gains
   bool filters = false;       ///< tune the low-pass filters as well
@@ -37,13 +37,16 @@ namespace tasks {
 /// Starts the tuning and waits until the board ends it. After an error, the board may go on: then,
 /// call end_tuning() and stop(), and write the old parameters back. Not for firmware that tunes
 /// with CMD_AUTO_PID2, of which too little is documented.
+/// Errors: those of Client::call(); `timeout` if the board reports no progress; `cancelled` by
+/// TuningOptions::progress.
 Task<Result<void>> run_tuning(msg::AutoPidRequest request, TuningOptions options = {});
 
 /// True if live data say that the board tunes. Early firmware does not say it, and has no such
-/// data.
+/// data. Errors: those of Client::call().
 Task<Result<bool>> is_tuning();
 
 /// Ends the tuning, and makes sure of it. Parameters that the board has stored already stay.
+/// Errors: those of Client::call(); `timeout` if the board goes on.
 Task<Result<void>> end_tuning();
 
 }  // namespace tasks
