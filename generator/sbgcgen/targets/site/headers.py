@@ -8,6 +8,7 @@ import tempfile
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from textwrap import fill, indent
 from textwrap import dedent
 from xml.etree.ElementTree import Element, parse
 
@@ -17,7 +18,7 @@ from sbgcgen.model import Enum, Layout, Packed, Quantity
 from sbgcgen.targets.site import uses
 
 SETTINGS = Path("docs/Doxyfile")
-# A line for each release: its version, and the names that it brought.
+# For each release, its version and the names that it brought, on indented lines.
 SINCE = Path("docs/since.txt")
 # A declaration that is longer has a line for each parameter.
 _WIDTH = 90
@@ -102,7 +103,9 @@ def record_names(project: Path, layout: Layout, version: str) -> None:
     if names:
         words = sorted({name.anchor for name in names})
         with (project / SINCE).open("a", encoding="utf-8") as file:
-            file.write(f"{version}: {' '.join(words)}\n")
+            file.write(
+                f"{version}:\n{indent(fill(' '.join(words), 118, break_on_hyphens=False), '  ')}\n"
+            )
 
 
 def _names(item: Item) -> Iterator[Item]:
@@ -114,9 +117,9 @@ def _names(item: Item) -> Iterator[Item]:
 def _since(project: Path) -> dict[str, str]:
     """The releases by the anchors of the names that they brought."""
     path = project / SINCE
-    lines = path.read_text("utf-8").splitlines() if path.is_file() else []
-    releases = (line.split(": ", 1) for line in lines)
-    return {name: version for version, names in releases for name in names.split()}
+    releases = re.split("(?m)^(?=\\S)", path.read_text("utf-8")) if path.is_file() else []
+    parts = (release.split(":", 1) for release in releases if release)
+    return {name: version for version, names in parts for name in names.split()}
 
 
 def linked(code: str, headers: Sequence[Header], layout: Layout) -> Markup:
