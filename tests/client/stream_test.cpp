@@ -15,6 +15,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <sbgc/any.hpp>
 #include <sbgc/client/client.hpp>
 #include <sbgc/frame.hpp>
 #include <sbgc/messages.hpp>
@@ -169,6 +170,27 @@ TEST_F(Streams, OfOneMessageHaveTheirOwnRates) {
   EXPECT_GE(slow, 97);
   EXPECT_LT(samples() - before, slow + 150) << "the board does not send what nobody wants";
   EXPECT_EQ(fast, last);
+}
+
+TEST_F(Streams, OfATypeAtRunTimeAreThoseOfTheMessage) {
+  Client client = connect();
+  const MessageType& type = *find_message("RealtimeData4");
+  msg::DataStreamInterval request;
+  request.interval_ms = msg::Milliseconds(20);
+  std::atomic<int> streamed{0};
+  std::atomic<int> heard{0};
+  const auto count = [](std::atomic<int>& into) {
+    return [&into](const AnyMessage& one) { into += one.get_if<msg::RealtimeData4>() != nullptr; };
+  };
+  const Subscription listening = client.subscribe(type, count(heard));
+  const auto stream = client.stream(type, request, count(streamed));
+  ASSERT_TRUE(stream) << stream.error().message;
+  let_pass(client, milliseconds(200));
+  EXPECT_GE(streamed, 8);
+  EXPECT_EQ(streamed, heard);
+  const auto refused = client.stream(*find_message("GetAngles"), request, count(streamed));
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::invalid);
 }
 
 TEST_F(Streams, EndWhenTheyAreCancelled) {
