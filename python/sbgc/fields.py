@@ -6,8 +6,9 @@ when the message does.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, MutableSequence
+from collections.abc import Callable, Iterable, Iterator, MutableSequence
 from enum import Enum
+from functools import partial
 from itertools import islice
 from typing import Any, Generic, Optional, Protocol, SupportsIndex, TypeVar, Union, cast, overload
 
@@ -22,9 +23,10 @@ S = TypeVar("S", bound="Structure")
 
 
 class Kind(Protocol):
-    """Reads and writes the value at a path."""
+    """Reads and writes the value at a path. It reads without a function of Python where it can."""
 
-    def read(self, message: _core.AnyMessage, path: str) -> Any:
+    @property
+    def read(self) -> Callable[[_core.AnyMessage, str], Any]:
         ...
 
     def write(self, message: _core.AnyMessage, path: str, value: Any) -> None:
@@ -34,8 +36,7 @@ class Kind(Protocol):
 class _Real:
     """A number in its unit."""
 
-    def read(self, message: _core.AnyMessage, path: str) -> Any:
-        return message.get(path)
+    read = staticmethod(_core.AnyMessage.get)
 
     def write(self, message: _core.AnyMessage, path: str, value: object) -> None:
         message.set_real(path, value)
@@ -52,8 +53,7 @@ class _Raw:
 
 
 class _Bytes:
-    def read(self, message: _core.AnyMessage, path: str) -> Any:
-        return message.get(path)
+    read = staticmethod(_core.AnyMessage.get)
 
     def write(self, message: _core.AnyMessage, path: str, value: object) -> None:
         message.set_bytes(path, value)
@@ -62,13 +62,13 @@ class _Bytes:
 class _Tail(_Bytes):
     """Bytes that a message without them has as well."""
 
-    def read(self, message: _core.AnyMessage, path: str) -> Any:
+    @staticmethod
+    def read(message: _core.AnyMessage, path: str) -> Any:  # type: ignore[override]
         return message.get(path) or b""
 
 
 class _Text:
-    def read(self, message: _core.AnyMessage, path: str) -> Any:
-        return message.get(path)
+    read = staticmethod(_core.AnyMessage.get)
 
     def write(self, message: _core.AnyMessage, path: str, value: object) -> None:
         message.set_text(path, value)
@@ -98,9 +98,7 @@ class GroupOf:
 
     def __init__(self, type_: type[Structure]) -> None:
         self._type = type_
-
-    def read(self, message: _core.AnyMessage, path: str) -> Any:
-        return self._type._at(message, path)
+        self.read = type_._at
 
     def write(self, message: _core.AnyMessage, path: str, value: object) -> None:
         if not isinstance(value, self._type):
@@ -114,9 +112,7 @@ class AxesOf:
     def __init__(self, kind: Kind, type_: Any = None) -> None:
         self._kind = kind
         self._type = type_ or Axes
-
-    def read(self, message: _core.AnyMessage, path: str) -> Any:
-        return self._type._at(message, path, self._kind)
+        self.read = partial(self._type._at, kind)
 
     def write(self, message: _core.AnyMessage, path: str, value: object) -> None:
         if not isinstance(value, self._type):
@@ -141,9 +137,7 @@ class ListOf:
 
     def __init__(self, kind: Kind) -> None:
         self._kind = kind
-
-    def read(self, message: _core.AnyMessage, path: str) -> Any:
-        return Elements(message, path, self._kind)
+        self.read = partial(Elements, kind)
 
     def write(self, message: _core.AnyMessage, path: str, value: Iterable[object]) -> None:
         if not isinstance(value, Iterable):
@@ -351,7 +345,8 @@ class _Element(Generic[T]):
             return self
         if place._message is None:
             return cast(T, place._values[self._name])
-        return cast(T, place._kind.read(place._message, f"{place._path}.{self._name}"))
+        path = f"{place._path}.{self._name}"
+        return place._kind.read(place._message, path)  # type: ignore[no-any-return]
 
     def __set__(self, place: _ByAxis[T], value: T) -> None:
         if place._message is None:
@@ -377,7 +372,7 @@ class _ByAxis(Generic[T]):
         self._values = values
 
     @classmethod
-    def _at(cls, message: _core.AnyMessage, path: str, kind: Kind) -> Any:
+    def _at(cls, kind: Kind, message: _core.AnyMessage, path: str) -> Any:
         made = object.__new__(cls)
         made._message, made._path, made._kind = message, path, kind
         return made
@@ -437,7 +432,7 @@ class Elements(MutableSequence[T]):
 
     __slots__ = ("_message", "_path", "_kind")
 
-    def __init__(self, message: _core.AnyMessage, path: str, kind: Kind) -> None:
+    def __init__(self, kind: Kind, message: _core.AnyMessage, path: str) -> None:
         self._message, self._path, self._kind = message, path, kind
 
     def __len__(self) -> int:
@@ -458,7 +453,8 @@ class Elements(MutableSequence[T]):
         return self._read(numbers)
 
     def _read(self, number: int) -> T:
-        return cast(T, self._kind.read(self._message, f"{self._path}[{number}]"))
+        path = f"{self._path}[{number}]"
+        return self._kind.read(self._message, path)  # type: ignore[no-any-return]
 
     def __setitem__(self, index: Any, value: Any) -> None:
         if not isinstance(index, slice):
