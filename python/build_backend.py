@@ -30,8 +30,10 @@ if sys.version_info < (3, 9):
     raise SystemExit(f"sbgc: Python 3.9 or newer is needed, this is {sys.version.split()[0]}")
 
 ROOT = Path(__file__).resolve().parents[1]
-# For every Python: only the extension differs.
-BUILD = ROOT / "build" / "wheel"
+# For every Python: only the extension differs. Another processor has a folder of its own: Python compiles
+# extensions for the one that these variables of its own name.
+PROCESSOR = os.environ.get("_PYTHON_HOST_PLATFORM", "")
+BUILD = ROOT / "build" / f"wheel{'-' if PROCESSOR else ''}{PROCESSOR}"
 EXTENSION = f"_core{sysconfig.get_config_var('EXT_SUFFIX')}"
 # The sources of the package.
 SOURCES = [
@@ -44,14 +46,16 @@ Settings = Optional[Mapping[str, Any]]
 
 # The packages of Debian, and a program or header of each.
 PROGRAMS = {"cmake": "cmake", "ninja-build": "ninja", "g++": "c++"}
-HEADERS = {
-    "pybind11-dev": "pybind11/pybind11.h",
-    "libasio-dev": "asio.hpp",
-    "libserialport-dev": "libserialport.h",
-    "libfmt-dev": "fmt/format.h",
-    "libkissfft-dev": "kissfft/kiss_fft.h",
-    "nlohmann-json3-dev": "nlohmann/json.hpp",
-}
+HEADERS = {"pybind11-dev": "pybind11/pybind11.h"}
+HAS_CLIENT = sys.platform == "linux"
+if HAS_CLIENT:
+    HEADERS |= {
+        "libasio-dev": "asio.hpp",
+        "libserialport-dev": "libserialport.h",
+        "libfmt-dev": "fmt/format.h",
+        "libkissfft-dev": "kissfft/kiss_fft.h",
+        "nlohmann-json3-dev": "nlohmann/json.hpp",
+    }
 
 
 # Modules that read TOML; from 3.11 on, Python has the first.
@@ -66,9 +70,10 @@ def _has_module(name: str) -> bool:
 
 
 def get_requires_for_build_wheel(config_settings: Settings = None) -> list[str]:
-    """The packages that this Python needs for building: none with Debian's."""
+    """The packages that this Python needs for building: none with those of Debian."""
     needed = [] if any(map(_has_module, TOML)) else ["tomli"]
-    return needed + (["pybind11 >= 2.13.6"] if sys.version_info >= (3, 12) else [])
+    has_debians = sys.version_info < (3, 12) and HAS_CLIENT
+    return needed + ([] if has_debians else ["pybind11 >= 2.13.6"])
 
 
 def _project() -> dict[str, Any]:
@@ -137,11 +142,14 @@ def _compile() -> Path:
         raise SystemExit(f"sbgc: building needs packages: apt-get install {' '.join(missing)}")
     options = {
         "CMAKE_BUILD_TYPE": "MinSizeRel",
-        "CMAKE_CXX_FLAGS": f"-ffunction-sections -fdata-sections -ffile-prefix-map={ROOT}=.",
-        "CMAKE_INTERPROCEDURAL_OPTIMIZATION": "ON",
+        "CMAKE_CXX_FLAGS_MINSIZEREL": "-O1 -DNDEBUG",  # sbgc::any, which decodes, has -O2
+        # g++ needs less memory if it collects its garbage early.
+        "CMAKE_CXX_FLAGS": "-ffunction-sections -fdata-sections --param=ggc-min-expand=10"
+        f" -ffile-prefix-map={ROOT}=.",
         "CMAKE_UNITY_BUILD": "ON",
         "CMAKE_UNITY_BUILD_BATCH_SIZE": "48",
         "Python_EXECUTABLE": sys.executable,
+        "SBGC_BUILD_IO": "ON" if HAS_CLIENT else "OFF",
         "SBGC_BUILD_PYTHON": "ON",
         "SBGC_BUILD_TOOLS": "OFF",
         "SBGC_BUILD_TESTS": "OFF",

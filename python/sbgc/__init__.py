@@ -13,10 +13,8 @@ the field beside them with the suffix `_raw` is the number on the wire.
 from importlib import import_module
 from typing import TYPE_CHECKING
 
-from sbgc import msg
-from sbgc.bode import BodeRecording, ResponsePoint, read_bode
+from sbgc import _core, msg
 from sbgc.captures import read_capture
-from sbgc.client import Gimbal, Stream, connect
 from sbgc.codec import (
     Direction,
     Frame,
@@ -30,7 +28,6 @@ from sbgc.codec import (
     encode_body,
     validate,
 )
-from sbgc.emulator import Angles, Board, emulator
 from sbgc.errors import (
     CodecError,
     DecodeError,
@@ -43,11 +40,16 @@ from sbgc.errors import (
     GimbalSuperseded,
     GimbalTimeout,
 )
-from sbgc.link import Calibration, Identity, Move, SpeedControl
 from sbgc.message import Contexts, Message, Request
 from sbgc.msg.protocol import Framing
-from sbgc.parameters import Profile, diff
-from sbgc.search import Found, Port, Usb, find, ports
+
+if TYPE_CHECKING or hasattr(_core, "Link"):
+    from sbgc.bode import BodeRecording, ResponsePoint, read_bode
+    from sbgc.client import Gimbal, Stream, connect
+    from sbgc.emulator import Angles, Board, emulator
+    from sbgc.link import Calibration, Identity, Move, SpeedControl
+    from sbgc.parameters import Profile, diff
+    from sbgc.search import Found, Port, Usb, find, ports
 
 if TYPE_CHECKING:
     from sbgc import aio
@@ -61,6 +63,8 @@ else:
             return import_module("sbgc.aio")
         if name == "__version__":
             return import_module("importlib.metadata").version("sbgc")
+        if name in __all__:
+            raise AttributeError(f"sbgc.{name} needs the client, which is only for Linux")
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 

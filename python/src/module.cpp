@@ -28,8 +28,10 @@ PYBIND11_MODULE(_core, module) {
   sbgc::python::bind_messages(module);
   sbgc::python::bind_codec(module);
   sbgc::python::bind_captures(module);
+#ifndef SBGC_PYTHON_WITHOUT_CLIENT
   sbgc::python::bind_bode(module);
   sbgc::python::bind_emulator(module);
   sbgc::python::bind_client(module);
+#endif
   module.attr("ABOUT") = about();
 }

@@ -52,6 +52,31 @@ def test_the_archive_of_the_sources_installs_beside_the_packages_of_debian(tmp_p
     run(python, "-W", "error", "-c", f"import numpy\n{PROGRAM.format(folder=folder)}")
 
 
+def test_messages_and_bytes_need_no_client(tmp_path: Path) -> None:
+    without = [f"-DSBGC_{part}=OFF" for part in ("BUILD_IO", "BUILD_TESTS", "BUILD_EXAMPLES")]
+    options = [
+        *without,
+        "-DSBGC_BUILD_TOOLS=OFF",
+        "-DSBGC_BUILD_PYTHON=ON",
+        "-DSBGC_REGENERATE=OFF",
+    ]
+    run("cmake", "-S", ".", "-B", tmp_path, "-G", "Ninja", "-DCMAKE_UNITY_BUILD=ON", *options)
+    run("cmake", "--build", tmp_path, "--target", "sbgc_python")
+    python = ("env", f"PYTHONPATH={tmp_path}/python", "/usr/bin/python3")
+    says = "import sbgc; assert not hasattr(sbgc, 'connect')"
+    run(*python, "-W", "error", "-c", says)
+    run(
+        *python,
+        "-m",
+        "pytest",
+        "-q",
+        "-p",
+        "no:cacheprovider",
+        "--noconftest",
+        "tests/python/vectors_test.py",
+    )
+
+
 @pytest.fixture(autouse=True)
 def _has_unshare() -> None:
     assert shutil.which("unshare"), "apt-get install util-linux"
