@@ -142,10 +142,10 @@ def _compile() -> Path:
         raise SystemExit(f"sbgc: building needs packages: apt-get install {' '.join(missing)}")
     options = {
         "CMAKE_BUILD_TYPE": "MinSizeRel",
-        "CMAKE_CXX_FLAGS_MINSIZEREL": "-O1 -DNDEBUG",  # sbgc::any, which decodes, has -O2
         # g++ needs less memory if it collects its garbage early.
-        "CMAKE_CXX_FLAGS": "-ffunction-sections -fdata-sections --param=ggc-min-expand=10"
+        "CMAKE_CXX_FLAGS": "-ffunction-sections -fdata-sections --param=ggc-min-expand=20"
         f" -ffile-prefix-map={ROOT}=.",
+        "CMAKE_INTERPROCEDURAL_OPTIMIZATION": "ON",
         "CMAKE_UNITY_BUILD": "ON",
         "CMAKE_UNITY_BUILD_BATCH_SIZE": "48",
         "Python_EXECUTABLE": sys.executable,
