@@ -80,31 +80,11 @@ class SampleQueue {
 
 using QueuePointer = std::shared_ptr<SampleQueue>;
 
-using TakeSample = std::function<void(AnyMessage)>;
-using Started = Link::Token<Result<Subscription>>;
-
-/// A message that boards stream.
-struct StreamKind {
-  const char* name = "";
-  void (*start)(AsyncClient&, const roles::StreamRequest&, const CallOptions&, const TakeSample&,
-                Started){};
-};
-
-template <class M>
-constexpr StreamKind kind_of{
-    Meta<M>::info.name, [](AsyncClient& client, const roles::StreamRequest& request,
-                           const CallOptions& options, const TakeSample& take, Started started) {
-      client.async_stream<M>(
-          request, [take](const M& sample) { take(any_of(sample)); }, options, std::move(started));
-    }};
-
-const StreamKind& kind_named(const std::string& name) {
-  const StreamKind* found = nullptr;
-  roles::StreamMessages::for_each([&]<class M>(Type<M>) {
-    if (name == Meta<M>::info.name) found = &kind_of<M>;
-  });
-  if (found == nullptr) throw py::value_error("the board has no stream of " + name);
-  return *found;
+const MessageType& stream_type(const std::string& name) {
+  for (const MessageType* const type : stream_types()) {
+    if (name == type->info->name) return *type;
+  }
+  throw py::value_error("the board has no stream of " + name);
 }
 
 roles::StreamRequest request_of(std::chrono::milliseconds interval, const AnyMessage* request) {
@@ -123,17 +103,17 @@ std::shared_ptr<Operation> stream(Link& link, const std::string& name, Seconds<"
                                   const AnyMessage* given, OptionalSeconds<"timeout"> timeout) {
   auto operation = link.make_operation();
   const CallOptions options{.timeout = timeout};
-  const StreamKind& kind = kind_named(name);
+  const MessageType& type = stream_type(name);
   const roles::StreamRequest request = request_of(interval, given);
   const auto queue = std::make_shared<SampleQueue>(link.bell(), link.time());
   using Begun = Result<Subscription>;
   link.prepare<Begun>(
       *operation,
-      [&kind, request, options, weak = std::weak_ptr(queue)](AsyncClient& client, auto token) {
-        const auto put = [weak](AnyMessage one) {
-          if (const auto to = weak.lock()) to->put(std::move(one));
+      [&type, request, options, weak = std::weak_ptr(queue)](AsyncClient& client, auto token) {
+        const auto put = [weak](const AnyMessage& one) {
+          if (const auto to = weak.lock()) to->put(one);
         };
-        kind.start(client, request, options, put, std::move(token));
+        client.async_stream(type, request, put, options, std::move(token));
       },
       [queue](Begun begun) -> Operation::Result {
         const Result<void> result = begun ? Result<void>() : begun.error();
