@@ -29,8 +29,8 @@ struct Scaled {
   float min, max;
 
   explicit Scaled(std::span<const double> values)
-      : min(static_cast<float>(*std::ranges::min_element(values))),
-        max(static_cast<float>(*std::ranges::max_element(values))) {}
+      : min(static_cast<float>(*std::min_element(values.begin(), values.end()))),
+        max(static_cast<float>(*std::max_element(values.begin(), values.end()))) {}
   std::uint16_t raw(double value) const {
     constexpr double highest = 65534;
     const double range = static_cast<double>(max) - static_cast<double>(min);
