@@ -12,7 +12,7 @@ from sbgcgen.compat.report import print_changes
 from sbgcgen.compat.revision import Version as Source
 from sbgcgen.compat.semver import lowest_version, parse, step_of
 from sbgcgen.model import Layout
-from sbgcgen.targets.site.headers import SINCE, record_names
+from sbgcgen.targets import targets
 
 
 def check(layout: Layout, project: Path, spec_dir: Path) -> int:
@@ -52,6 +52,7 @@ def record(layout: Layout, project: Path, spec_dir: Path) -> int:
     if path.is_file() and read(path).version == version:
         return 0
     write(Release(version, fingerprint_of(layout), layout), path)
-    record_names(project, layout, str(version))
-    print(f"{spec_dir.name}/{NAME} is now the model of {version}, and {SINCE} has its names")
+    print(f"{spec_dir.name}/{NAME} is now the model of {version}")
+    for target in targets():
+        target.record(layout, project, str(version))
     return 0

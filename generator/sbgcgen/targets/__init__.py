@@ -142,6 +142,9 @@ class Target:
         """Code in its language that converts a number to a quantity and back; None without one."""
         return None
 
+    def record(self, layout: Layout, project: Path, version: str) -> None:
+        """Notes what it shows of the release of this version."""
+
     def reference(self, project: Path) -> Optional[Reference]:
         """The reference of the library in its language; None without one."""
         return None

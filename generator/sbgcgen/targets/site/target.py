@@ -22,6 +22,13 @@ class Site(Target):
 
         return view_of(self, layout, project)
 
+    def record(self, layout: Layout, project: Path, version: str) -> None:
+        """Notes the public names of C++ that are new."""
+        from sbgcgen.targets.site.headers import SINCE, record_names
+
+        record_names(project, layout, version)
+        print(f"{SINCE} has the names of {version}")
+
     def files(self, layout: Layout, project: Path) -> Iterator[tuple[str, bytes]]:
         """Those of the templates, and the pictures of guides and README."""
         yield from super().files(layout, project)
