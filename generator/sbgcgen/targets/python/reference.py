@@ -60,7 +60,7 @@ class _Package:
 
     def _find(self, module: str, name: str) -> Optional[tuple[str, ast.stmt]]:
         """A class or function of the package, and the module that defines it."""
-        for node in self._parse(module).body:
+        for node in _statements(self._parse(module).body):
             if isinstance(node, (ast.ClassDef, *_Function)) and node.name == name:
                 return module, node
             if not isinstance(node, ast.ImportFrom) or node.module in (None, module):
@@ -137,6 +137,14 @@ class _Package:
         if not text and name in self.told:
             text = f"As `{PACKAGE}.{name}`."
         return Documented(kind, name, signature, text, members)
+
+
+def _statements(body: list[ast.stmt]) -> Iterator[ast.stmt]:
+    """Those of a module, also those under a condition."""
+    for node in body:
+        yield node
+        if isinstance(node, ast.If):
+            yield from _statements(node.body)
 
 
 def _public(tree: ast.Module) -> list[str]:
