@@ -18,7 +18,7 @@ from sbgcgen.model import Enum, Layout, Packed, Quantity
 from sbgcgen.targets.site import uses
 
 SETTINGS = Path("docs/Doxyfile")
-# For each release, its version and the names that it brought, on indented lines.
+# For each release, its version and, indented, the names that it brought: "Client{call close}" has two members.
 SINCE = Path("docs/since.txt")
 # A declaration that is longer has a line for each parameter.
 _WIDTH = 90
@@ -101,11 +101,26 @@ def record_names(project: Path, layout: Layout, version: str) -> None:
         n for h in headers_of(project, layout) for i in h.items for n in _names(i) if not n.since
     ]
     if names:
-        words = sorted({name.anchor for name in names})
+        text = fill(_grouped({name.anchor for name in names}), 118, break_on_hyphens=False)
         with (project / SINCE).open("a", encoding="utf-8") as file:
-            file.write(
-                f"{version}:\n{indent(fill(' '.join(words), 118, break_on_hyphens=False), '  ')}\n"
-            )
+            file.write(f"{version}:\n{indent(text, '  ')}\n")
+
+
+def _grouped(names: set[str]) -> str:
+    """Names with their members in braces."""
+    members: dict[str, list[str]] = {}
+    for name in sorted(names):
+        owner, _, member = name.rpartition(".")
+        members.setdefault(owner, []).append(member)
+    top = [] if "" not in members else members.pop("")
+    return " ".join([*top, *(f"{owner}{{{' '.join(of)}}}" for owner, of in members.items())])
+
+
+def _ungrouped(text: str) -> Iterator[str]:
+    for owner, members, name in re.findall(r"(\S+)\{([^}]*)\}|(\S+)", text):
+        yield from (f"{owner}.{member}" for member in members.split())
+        if name:
+            yield name
 
 
 def _names(item: Item) -> Iterator[Item]:
@@ -119,7 +134,7 @@ def _since(project: Path) -> dict[str, str]:
     path = project / SINCE
     releases = re.split("(?m)^(?=\\S)", path.read_text("utf-8")) if path.is_file() else []
     parts = (release.split(":", 1) for release in releases if release)
-    return {name: version for version, names in parts for name in names.split()}
+    return {name: version for version, names in parts for name in _ungrouped(names)}
 
 
 def linked(code: str, headers: Sequence[Header], layout: Layout) -> Markup:
