@@ -98,11 +98,19 @@ PyObject* get(PyObject* self, PyObject* const* arguments, Py_ssize_t count) {
   Py_ssize_t size = 0;
   const char* const path = PyUnicode_AsUTF8AndSize(arguments[0], &size);
   if (path == nullptr) return nullptr;
-  const bool raw = count == 2 && arguments[1] == Py_True;
-  PyObject* result = nullptr;
-  message->with_leaf({path, static_cast<std::size_t>(size)},
-                     [&](const Leaf& leaf) { result = value_of(leaf, raw).release().ptr(); });
-  return result != nullptr ? result : py::none().release().ptr();
+  const int raw = count == 2 ? PyObject_IsTrue(arguments[1]) : 0;
+  if (raw < 0) return nullptr;
+  try {
+    py::object result = py::none();
+    message->with_leaf({path, static_cast<std::size_t>(size)},
+                       [&](const Leaf& leaf) { result = value_of(leaf, raw != 0); });
+    return result.release().ptr();
+  } catch (py::error_already_set& error) {
+    error.restore();
+  } catch (const std::exception& error) {
+    PyErr_SetString(PyExc_RuntimeError, error.what());
+  }
+  return nullptr;  // no exception of C++ may pass through the interpreter
 }
 
 PyMethodDef get_method{"get", nullptr, METH_FASTCALL, nullptr};
