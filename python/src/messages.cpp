@@ -113,8 +113,6 @@ PyObject* get(PyObject* self, PyObject* const* arguments, Py_ssize_t count) {
   return nullptr;  // no exception of C++ may pass through the interpreter
 }
 
-PyMethodDef get_method{"get", nullptr, METH_FASTCALL, nullptr};
-
 /// Assigns, and raises a FieldError with the reason if that is not possible.
 void assign(AnyMessage& message, std::string_view path, std::string_view text, bool validates) {
   const std::string problem = message.assign(path, text, validates);
@@ -420,6 +418,7 @@ py::list message_names() {
 
 void bind_messages(py::module_& module) {
   py::class_<AnyMessage> message_class(module, "AnyMessage");
+  static PyMethodDef get_method{"get", nullptr, METH_FASTCALL, nullptr};  // Python keeps it
   // NOLINTNEXTLINE(*-reinterpret-cast): as Python has it
   get_method.ml_meth = reinterpret_cast<PyCFunction>(reinterpret_cast<void*>(&get));
   message_class.attr("get") = py::reinterpret_steal<py::object>(
