@@ -12,7 +12,7 @@ from datetime import datetime, timezone
 from pathlib import Path
 from typing import Any
 
-# The libraries that are part of a file, as packages of Debian, or of npm in tools/web, and their licenses.
+# The libraries that are part of a file, as packages of Debian, or of npm in web, and their licenses.
 LICENSES = {
     "libasio-dev": "BSL-1.0",
     "libc++-dev-wasm32": "Apache-2.0 WITH LLVM-exception",
@@ -55,10 +55,10 @@ def parts_of(name: str) -> tuple[str, ...]:
 def version_of(package: str) -> str:
     """The version of an installed package, or of one of npm; "" for none."""
     of_npm = json.loads(
-        (Path(__file__).parent.parent / "tools/web/package.json").read_text("utf-8")
+        (Path(__file__).parent.parent / "web/package.json").read_text("utf-8")
     )
-    if package in of_npm["dependencies"]:
-        return str(of_npm["dependencies"][package])
+    if package in of_npm["devDependencies"]:
+        return str(of_npm["devDependencies"][package])
     command = ["dpkg-query", "-W", "-f", "${Version}", package]
     return subprocess.run(command, capture_output=True, text=True, check=False).stdout
 

@@ -14,7 +14,7 @@ PECULIAR = re.compile(
     r"|__(?:GNUC|clang|SSE|x86_64|arm|aarch64|BYTE_ORDER)|_MSC_VER|_WIN32|#pragma (?!once)"
 )
 # The modules of the site are compiled by one compiler, and export functions to JavaScript.
-FREE = {HEADER, "tools/web/exchange.hpp"}
+FREE = {HEADER, "web/modules/exchange.hpp"}
 
 
 def peculiar_lines(path: str) -> list[str]:

@@ -30,7 +30,7 @@ PARTS = (
         "generator",
         "generated/include",
     ),
-    *("python/build_backend.py", "runtime", "tools/web/package.json"),
+    *("python/build_backend.py", "runtime", "web/package.json"),
 )
 CATEGORIES = {"Added", "Changed", "Deprecated", "Removed", "Fixed", "Security"}
 # Instead of ./dev, which compiles for minutes.

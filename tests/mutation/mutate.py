@@ -30,7 +30,7 @@ BUILD = ROOT / "build" / "mutate"
 TARGETS = ["sbgc", "example_tour", "crash_faults"] + [
     f"tests_{folder}" for folder in ("core", "session", "io", "client", "emulator", "tools")
 ]
-# The folders of the sbgc command; tools/web is no part of it.
+# The folders of the sbgc command.
 TOOLS = "board bytes care care/memory command frames look look/monitor move parameters share shell values".split()
 # Files of other builds, and those that cannot be included together with the rest of their folder.
 SEPARATE = ("offline_commands", "system_windows", "web_socket_server")

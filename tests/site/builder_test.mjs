@@ -15,7 +15,7 @@ import { addressOf, launch, loadModule, model, pages, root, sbgc, site } from ".
 let browser;
 let wasm;
 before(async () => {
-  wasm = await loadModule("builder");
+  wasm = await loadModule();
   browser = await launch();
 });
 after(() => browser.close());
@@ -60,11 +60,6 @@ test("every request has a builder, whose frame is that of the example, from its 
     const whole = build(name, "", shown.map((field) => `${field.path}=${field.value}`));
     assert.equal(whole.frame, frame, name);
   }
-});
-
-test("the module is small", () => {
-  const size = Buffer.from(globalThis.sbgcBuilderModule, "base64").length;
-  assert.ok(size < 870_000, `${size} bytes`);
 });
 
 test("the command makes the same frames of the same values", () => {

@@ -9,7 +9,7 @@ import { test } from "node:test";
 
 import { root } from "./support.mjs";
 
-const file = path.join(root, "build/wasm/tools/web/sbgc_passive_client.wasm");
+const file = path.join(root, "build/wasm/web/modules/sbgc_passive_client.wasm");
 
 test("the module and the program agree on every byte", async () => {
   const module = await WebAssembly.compile(fs.readFileSync(file));

@@ -21,7 +21,7 @@ const { decoderEngine } = (() => {
 class Module {
   static async create() {
     const module = new Module();
-    module.wasm = await loadModule("decoder");
+    module.wasm = await loadModule();
     return module;
   }
 
@@ -206,7 +206,7 @@ test("the summary counts", () => {
 });
 
 test("the module is small", () => {
-  const size = Buffer.from(globalThis.sbgcDecoderModule, "base64").length;
+  const size = Buffer.from(globalThis.sbgcMessagesModule, "base64").length;
   assert.ok(size < 1_000_000, `${size} bytes`);
 });
 
@@ -232,7 +232,7 @@ class Engine {
     }
   }
   async load() {
-    this.say({ type: "load", module: globalThis.sbgcDecoderModule });
+    this.say({ type: "load", module: globalThis.sbgcMessagesModule });
     await this.hear((message) => message.type === "ready");
   }
   async decode(job, data, options = {}) {

@@ -9,7 +9,7 @@ import { site } from "./support.mjs";
 
 const here = path.dirname(fileURLToPath(import.meta.url));
 const needed = {
-  [path.join(site, "assets/decoder-module.js")]: "./dev docs makes the site",
+  [path.join(site, "assets/messages-module.js")]: "./dev docs makes the site",
   [path.join(here, "node_modules")]: "npm ci in tests/site installs what the tests need",
 };
 for (const [file, advice] of Object.entries(needed)) {

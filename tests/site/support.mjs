@@ -49,11 +49,10 @@ export function frame(id, body) {
   return Buffer.concat([Buffer.from(header), content, Buffer.from([sum(content)])]);
 }
 
-/** Returns the exports of a WebAssembly module of the site, decoder or builder. */
-export async function loadModule(name) {
-  createRequire(import.meta.url)(path.join(site, `assets/${name}-module.js`));
-  const variable = { decoder: "sbgcDecoderModule", builder: "sbgcBuilderModule" }[name];
-  const code = Buffer.from(globalThis[variable], "base64");
+/** Returns the exports of the WebAssembly module of the decoder and the frame builder. */
+export async function loadModule() {
+  createRequire(import.meta.url)(path.join(site, "assets/messages-module.js"));
+  const code = Buffer.from(globalThis.sbgcMessagesModule, "base64");
   const nothing = () => 8;
   const files = { fd_close: nothing, fd_seek: nothing, fd_write: nothing };
   const { instance } = await WebAssembly.instantiate(code, { wasi_snapshot_preview1: files });

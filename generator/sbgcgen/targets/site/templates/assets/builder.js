@@ -31,8 +31,8 @@
     });
 
   async function load() {
-    await loadScript("builder-module.js");
-    const code = Uint8Array.from(atob(globalThis.sbgcBuilderModule), (c) => c.charCodeAt(0));
+    await loadScript("messages-module.js");
+    const code = Uint8Array.from(atob(globalThis.sbgcMessagesModule), (c) => c.charCodeAt(0));
     // The C library refers to files; there are none (8: not an open file).
     const noFile = () => 8;
     const files = { fd_close: noFile, fd_seek: noFile, fd_write: noFile };
@@ -42,7 +42,7 @@
   }
   let loaded = null; // a promise of the functions of the module
 
-  /** What C++ makes of these values; see tools/web/builder.cpp. */
+  /** What C++ makes of these values; see web/modules/builder.cpp. */
   async function build(frame, lines) {
     loaded ??= load();
     const wasm = await loaded;

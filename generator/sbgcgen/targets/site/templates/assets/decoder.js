@@ -31,7 +31,7 @@
   function engine() {
     if (send === null) {
       send = startWorker(receive);
-      send({ type: "load", module: globalThis.sbgcDecoderModule });
+      send({ type: "load", module: globalThis.sbgcMessagesModule });
     }
     return send;
   }
@@ -68,7 +68,7 @@
       if (send !== null) send({ type: "cancel" });
       return;
     }
-    if (globalThis.sbgcDecoderModule === undefined) {
+    if (globalThis.sbgcMessagesModule === undefined) {
       showProblem("This copy of the site has no decoder: it was built without ./dev docs.");
       return;
     }

@@ -1,4 +1,4 @@
-#include "web/exchange.hpp"
+#include "modules/exchange.hpp"
 
 #include <cstddef>
 

@@ -10,7 +10,7 @@ from pathlib import Path
 def main(module: str, output: str, variable: str) -> None:
     text = base64.b64encode(Path(module).read_bytes()).decode("ascii")
     Path(output).write_text(
-        "// The codec of sbgc as WebAssembly, in base64. Built from tools/web/.\n"
+        "// The codec of sbgc as WebAssembly, in base64. Built from web/modules/.\n"
         f'"use strict";\nglobalThis.{variable} = "{text}";\n',
         encoding="ascii",
     )

@@ -1,4 +1,4 @@
-#include "web/message_form.hpp"
+#include "modules/message_form.hpp"
 
 #include <algorithm>
 
@@ -6,7 +6,7 @@
 
 #include "frames/json_string.hpp"
 #include "values/field_text.hpp"
-#include "web/settable_text.hpp"
+#include "modules/settable_text.hpp"
 
 namespace sbgc::tools {
 

@@ -29,7 +29,7 @@
 #include "frames/json_string.hpp"
 #include "frames/pasted_text.hpp"
 #include "frames/rejected_candidates.hpp"
-#include "web/exchange.hpp"
+#include "modules/exchange.hpp"
 
 namespace sbgc::tools {
 

@@ -1,4 +1,4 @@
-#include "web/settable_text.hpp"
+#include "modules/settable_text.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -26,8 +26,8 @@
 #include "frames/json_string.hpp"
 #include "values/complete_message.hpp"
 #include "values/unnamed.hpp"
-#include "web/exchange.hpp"
-#include "web/message_form.hpp"
+#include "modules/exchange.hpp"
+#include "modules/message_form.hpp"
 
 namespace sbgc::tools {
 

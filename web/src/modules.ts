@@ -1,0 +1,27 @@
+// The functions of the WebAssembly modules.
+
+/** A board as `sbgc emulate` makes it; what is missing has its usual value. */
+export interface EmulatorOptions {
+  seed?: number;
+  /** The motion of the frame that carries the gimbal. */
+  motion?: "rest" | "handheld" | "drone" | "vehicle";
+  /** A factor of the motion, 0 to 100. */
+  strength?: number;
+  /** As for `sbgc emulate --fault`: "low-battery", "resonance=37Hz:2:pitch". */
+  faults?: string[];
+  /** Shares of the line, 0 to 1. */
+  bitErrors?: number;
+  lostBytes?: number;
+  duplicatedBytes?: number;
+  delayedBytes?: number;
+}
+
+/** What `sbgc doctor` says. */
+export interface Finding {
+  id: string;
+  /** 0 roll, 1 pitch, 2 yaw; -1: none. */
+  axis: number;
+  sentence: string;
+  advice: string;
+  command: string;
+}
