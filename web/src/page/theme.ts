@@ -1,0 +1,13 @@
+// The colors of the site, which the system or the visitor changes.
+
+/** Calls when the colors of the page have changed. Returns a function that ends it. */
+export function onThemeChange(call: () => void): () => void {
+  const system = matchMedia("(prefers-color-scheme: dark)");
+  const chosen = new MutationObserver(call);
+  chosen.observe(document.documentElement, { attributeFilter: ["data-theme"] });
+  system.addEventListener("change", call);
+  return () => {
+    chosen.disconnect();
+    system.removeEventListener("change", call);
+  };
+}
