@@ -1,6 +1,6 @@
 // Buttons with the lines that do the same elsewhere.
 
-import { createContext, type ComponentChildren } from "preact";
+import { createContext, Fragment, type ComponentChildren } from "preact";
 import { useContext, useState } from "preact/hooks";
 
 import { languages, type Action, type Language, type Lines } from "./lines.js";
@@ -9,7 +9,7 @@ import { languages, type Action, type Language, type Lines } from "./lines.js";
 export interface Desk {
   language: Language;
   isReady: boolean;
-  run: (action: Action) => void;
+  run: (action: Action, label: string) => void;
 }
 const Context = createContext<Desk | null>(null);
 export const DeskProvider = Context.Provider;
@@ -61,8 +61,15 @@ export function CodeLine({ lines, about }: { lines: Lines; about: string }) {
   };
   return (
     <div class="line">
-      <pre tabIndex={0} aria-label={`Line: ${about}`}>
-        <code>{text}</code>
+      <pre>
+        <code>
+          {text.split(/ (?=--)/).map((word, n) => (
+            <Fragment key={n}>
+              {n > 0 && " "}
+              <span>{word}</span>
+            </Fragment>
+          ))}
+        </code>
       </pre>
       <button type="button" class="copy-line" aria-label={`Copy: ${about}`} onClick={copy}>
         {copied || "Copy"}
@@ -87,7 +94,7 @@ export function ActionRow({ action, label, isMain, children }: ActionProps) {
           type="button"
           class={isMain ? "plain" : "plain quiet"}
           disabled={!isReady}
-          onClick={() => run(action)}
+          onClick={() => run(action, label)}
         >
           {label}
         </button>

@@ -72,17 +72,17 @@ export function App({ session }: { session: Session }) {
   }, [session, emulation]);
 
   /** Only the newest action says how it ended: it has taken the camera from those before. */
-  const run = async (action: Action): Promise<void> => {
+  const run = async (action: Action, label: string): Promise<void> => {
     const number = ++latest.current;
-    setOutcome({ text: `${action.text} …`, isBad: false });
+    setOutcome({ text: `${label} …`, isBad: false });
     const done = await session.ask({ kind: "act", action: action.text });
     if (number !== latest.current) return;
-    setOutcome({ text: `${action.text}: ${done.error ?? "done"}`, isBad: Boolean(done.error) });
+    setOutcome({ text: `${label}: ${done.error ?? "done"}`, isBad: Boolean(done.error) });
   };
 
   useEffect(() => {
     const key = (event: KeyboardEvent): void => {
-      if (event.key === "Escape" && !isTyping(event.target)) void run(stop);
+      if (event.key === "Escape" && !isTyping(event.target)) void run(stop, "Stop");
     };
     const address = (): void => {
       if (location.hash.length < 2 || location.hash === "#main") return;
@@ -105,7 +105,7 @@ export function App({ session }: { session: Session }) {
     session.start(optionsOf(emulationOf(values)));
     session.pace(pace);
   };
-  const desk: Desk = { language, isReady, run: (action) => void run(action) };
+  const desk: Desk = { language, isReady, run: (action, label) => void run(action, label) };
   return (
     <SessionProvider value={session}>
       <DeskProvider value={desk}>
@@ -125,7 +125,7 @@ export function App({ session }: { session: Session }) {
           pace={pace}
           onPace={setPace}
           onRestart={restart}
-          onStop={() => void run(stop)}
+          onStop={() => void run(stop, "Stop")}
         />
         {values.send && (
           <Trial key={values.send} hex={values.send} onClose={() => set({ send: "" })} />
@@ -141,8 +141,8 @@ export function App({ session }: { session: Session }) {
           </div>
           <div class="panels">
             <LanguageChoice language={language} onChange={setLanguage} />
-            <MovePanel values={values} set={set} />
             <BoardPanel values={values} set={set} />
+            <MovePanel values={values} set={set} />
             <TurnPanel values={values} set={set} />
             <MotionPanel values={values} set={set} />
           </div>

@@ -7,7 +7,7 @@ import { ActionRow, useDesk } from "./actions.js";
 import { angleWords, axisNames } from "./axes.js";
 import { SliderRow } from "./inputs.js";
 import { chooseProfile, motorsOff, motorsOn, moveTo, release, stop, turn } from "./lines.js";
-import { useSession } from "./session.js";
+import { useSession, useView } from "./session.js";
 import { numbers, type NumberName, type Values } from "./values.js";
 
 export interface PanelProps {
@@ -19,11 +19,14 @@ const title = (axis: string): string => axis.charAt(0).toUpperCase() + axis.slic
 const targetsOf = ({ roll, pitch, yaw }: Values): Axes => [roll, pitch, yaw];
 const speedsOf = (v: Values): Axes => [v["turn-roll"], v["turn-pitch"], v["turn-yaw"]];
 
+/** How often the buttons look whether the motors are on. */
+const perSecond = 4;
 /** The least time between two moves of a slider, in ms. */
 const pause = 150;
 
 export function MovePanel({ values, set }: PanelProps) {
   const session = useSession();
+  const areOn = useView(perSecond)?.motorsOn ?? false;
   const { run, isReady } = useDesk();
   const timer = useRef(0);
   const newest = useRef(values);
@@ -36,7 +39,7 @@ export function MovePanel({ values, set }: PanelProps) {
     if (!isReady || !session.view?.motorsOn || timer.current) return;
     timer.current = window.setTimeout(() => {
       timer.current = 0;
-      run(moveTo(targetsOf(newest.current), newest.current.speed));
+      run(moveTo(targetsOf(newest.current), newest.current.speed), "Move");
     }, pause);
   };
   return (
@@ -60,8 +63,8 @@ export function MovePanel({ values, set }: PanelProps) {
         value={values.speed}
         onChange={(speed) => set({ speed })}
       />
-      <ActionRow action={action} label="Move" isMain />
-      <ActionRow action={{ ...moveTo([0, 0, 0], values.speed), text: "center" }} label="Center" />
+      <ActionRow action={action} label="Move" isMain={areOn} />
+      <ActionRow action={moveTo([0, 0, 0], values.speed)} label="Center" />
       <ActionRow action={stop} label="Stop">
         <kbd>Esc</kbd>
       </ActionRow>
@@ -99,10 +102,11 @@ export function TurnPanel({ values, set }: PanelProps) {
 }
 
 export function BoardPanel({ values, set }: PanelProps) {
+  const areOn = useView(perSecond)?.motorsOn ?? false;
   return (
     <section aria-labelledby="board-title">
       <h2 id="board-title">Motors and profile</h2>
-      <ActionRow action={motorsOn} label="Motors on" />
+      <ActionRow action={motorsOn} label="Motors on" isMain={!areOn} />
       <ActionRow action={motorsOff} label="Motors off" />
       <ActionRow action={release} label="Release" />
       <ActionRow action={chooseProfile(values.profile)} label="Profile">

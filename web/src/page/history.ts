@@ -3,7 +3,7 @@
 import type { View } from "../worker_messages.js";
 import { axisNumbers } from "./axes.js";
 
-const seconds = 30;
+export const seconds = 30;
 const most = 2000;
 
 export class History {

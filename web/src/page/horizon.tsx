@@ -1,5 +1,5 @@
-// What the camera sees, and what it would see if it were fixed to the frame: sky, ground, and posts
-// at every 15 degrees. Drawn in 2D, so that it needs no WebGL.
+// What the camera sees, and what it would see if it were fixed to the frame: sky, ground with lines
+// to its headings, and posts at every 15 degrees. Drawn in 2D, so that it needs no WebGL.
 
 import { useEffect, useRef } from "preact/hooks";
 
@@ -12,13 +12,15 @@ import { onThemeChange } from "./theme.js";
 const perSecond = 60;
 const labelsPerSecond = 1;
 /** Of the smaller side of the picture. */
-const fieldOfView = 50;
+const fieldOfView = 64;
 const nearest = 0.05;
+const ringElevations = [-8, -14, -24, -40, -62, -80];
 
 interface Look {
   sky: string;
   ground: string;
   line: string;
+  field: string;
   post: string;
   text: string;
   mark: string;
@@ -31,6 +33,7 @@ const lookOf = (element: Element): Look => {
     sky: color("--tint-0"),
     ground: color("--tint-1"),
     line: color("--edge-1"),
+    field: color("--line-strong"),
     post: color("--edge-0"),
     text: color("--muted"),
     mark: color("--text"),
@@ -64,10 +67,11 @@ function drawHorizon(canvas: HTMLCanvasElement, angles: Axes, look: Look): void 
   context.strokeRect(-far, y, 2 * far, far * 2);
   context.restore();
 
-  const place = (direction: Direction): [number, number] | null => {
+  const place: Place = (direction) => {
     const [x, above, depth] = turn(direction);
     return depth < nearest ? null : [(x / depth) * scale, (-above / depth) * scale];
   };
+  drawGround(context, place, look.field, height / 220);
   context.font = `${Math.round(height / 13)}px system-ui, sans-serif`;
   context.textAlign = "center";
   context.lineCap = "round";
@@ -96,6 +100,43 @@ function drawHorizon(canvas: HTMLCanvasElement, angles: Axes, look: Look): void 
   context.lineTo(0, mark * 0.4);
   context.lineTo(mark * 0.5, 0);
   context.lineTo(mark * 1.6, 0);
+  context.stroke();
+}
+
+type Place = (direction: Direction) => [number, number] | null;
+
+const directionOf = (heading: number, elevation: number): Direction => {
+  const level = Math.cos(radians(elevation));
+  const up = Math.sin(radians(elevation));
+  return [level * Math.sin(radians(heading)), up, level * Math.cos(radians(heading))];
+};
+
+/** Rings around the camera, and lines from it to the horizon. */
+function drawGround(
+  context: CanvasRenderingContext2D,
+  place: Place,
+  color: string,
+  width: number,
+): void {
+  context.strokeStyle = color;
+  context.lineWidth = width;
+  context.beginPath();
+  const line = (directions: Direction[]): void => {
+    let last: [number, number] | null = null;
+    for (const direction of directions) {
+      const next = place(direction);
+      if (last && next) {
+        context.moveTo(...last);
+        context.lineTo(...next);
+      }
+      last = next;
+    }
+  };
+  const headings = Array.from({ length: 49 }, (_, n) => n * 7.5);
+  for (const elevation of ringElevations) line(headings.map((one) => directionOf(one, elevation)));
+  for (let heading = 0; heading < 360; heading += 15) {
+    line([-4, ...ringElevations].map((elevation) => directionOf(heading, elevation)));
+  }
   context.stroke();
 }
 

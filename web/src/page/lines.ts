@@ -5,7 +5,7 @@ import { axisNames, axisNumbers } from "./axes.js";
 import { faultTexts, lineFaults, type Emulation } from "./emulation.js";
 
 export const languages = [
-  { key: "command", title: "Command line" },
+  { key: "command", title: "Command" },
   { key: "cpp", title: "C++" },
   { key: "python", title: "Python" },
 ] as const;
@@ -63,7 +63,7 @@ export const motorsOn = plain("motors on", "sbgc motors on", "motors_on");
 export const motorsOff = plain("motors off", "sbgc motors off", "motors_off");
 
 export const chooseProfile = (profile: number): Action => ({
-  text: `profile ${profile}`,
+  text: `menu profile${profile}`,
   lines: {
     command: `sbgc menu profile${profile}`,
     cpp: `client.call(sbgc::msg::ExecuteMenu{.cmd_id = sbgc::msg::MenuCommand::profile${profile}});`,

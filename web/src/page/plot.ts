@@ -2,6 +2,8 @@
 
 import uPlot from "uplot";
 
+import { seconds } from "./history.js";
+
 export interface Plot {
   draw(data: number[][]): void;
   resize(): void;
@@ -39,9 +41,12 @@ export function createPlot(place: HTMLElement, unit: string, hasTargets: boolean
       height,
       cursor: { show: false },
       legend: { show: false },
-      scales: { x: { time: false }, y: { range } },
+      scales: {
+        x: { time: false, range: (_, low, high) => [low, Math.max(high, low + seconds)] },
+        y: { range },
+      },
       axes: [
-        { ...axis, size: 24, values: (_, ticks) => ticks.map((one) => `${one} s`) },
+        { ...axis, size: 24, incrs: [1, 2, 5, 10, 15, 30], values: (_, ticks) => ticks.map((one) => `${Math.round(one)} s`) },
         { ...axis, size: 52, values: (_, ticks) => ticks.map((one) => `${one}${unit}`) },
       ],
       series: [
