@@ -2,10 +2,11 @@
 
 import { useEffect, useRef, useState } from "preact/hooks";
 
+import type { View } from "../worker_messages.js";
 import { anglesWords, axisNames } from "./axes.js";
 import { History } from "./history.js";
 import type { Plot } from "./plot.js";
-import { useSession } from "./session.js";
+import { everySecond, useSession } from "./session.js";
 import { onThemeChange } from "./theme.js";
 
 const perSecond = 20;
@@ -27,17 +28,17 @@ export function Charts() {
     let plots: Plot[] = [];
     let isInSight = false;
     let isEnded = false;
-    let labelDue = 0;
+    const label = everySecond(({ camera }: View) => {
+      const now = anglesWords(camera);
+      for (const box of boxes) box.setAttribute("aria-label", `${box.dataset.chart}; now ${now}`);
+    });
 
     const draw = (): void => {
       if (!isInSight || !plots.length || !history.times.length) return;
       const { times, camera, targets, speeds, power } = history;
       const columns = [[...camera, ...targets], speeds, power];
       for (const [n, plot] of plots.entries()) plot.draw([times, ...(columns[n] ?? [])]);
-      if (performance.now() < labelDue || !session.view) return;
-      labelDue = performance.now() + 1000;
-      const now = anglesWords(session.view.camera);
-      for (const box of boxes) box.setAttribute("aria-label", `${box.dataset.chart}; now ${now}`);
+      if (session.view) label(session.view);
     };
     const make = async (): Promise<void> => {
       try {

@@ -28,11 +28,14 @@ const members = (of: Axes, unit: string): string =>
   `{${each(of, (name, value) => `.${name} = ${value}_${unit}`, ", ")}}`;
 const keywords = (of: Axes): string => each(of, (name, value) => `${name}=${value}`, ", ");
 
+/** C++ in a function that returns a Result. */
+const checked = (call: string): string => `if (const auto done = ${call}; !done) return done.error();`;
+
 export const moveTo = (angles: Axes, speed: number): Action => ({
   text: `move ${words(angles)} speed=${speed}`,
   lines: {
     command: `sbgc move ${options(angles)} --speed ${speed} --wait`,
-    cpp: `client.move_to(${members(angles, "deg")}, {.speed = ${speed}_deg_per_s});`,
+    cpp: checked(`client.move_to(${members(angles, "deg")}, {.speed = ${speed}_deg_per_s})`),
     python: `gimbal.move_to(${keywords(angles)}, speed=${speed})`,
   },
 });
@@ -44,10 +47,10 @@ export const turn = (speeds: Axes, seconds: number): Action => ({
     cpp: [
       "sbgc::SpeedControl control(client);",
       `for (int i = 0; i < ${Math.round(seconds * 10)}; ++i) {`,
-      `  control.set(${members(speeds, "deg_per_s")});`,
+      `  ${checked(`control.set(${members(speeds, "deg_per_s")})`)}`,
       "  std::this_thread::sleep_for(100ms);",
       "}",
-      "control.stop();",
+      checked("control.stop()"),
     ].join("\n"),
     python: `gimbal.turn(${keywords(speeds)}, seconds=${seconds})`,
   },
@@ -55,7 +58,7 @@ export const turn = (speeds: Axes, seconds: number): Action => ({
 
 const plain = (text: string, command: string, call: string): Action => ({
   text,
-  lines: { command, cpp: `client.${call}();`, python: `gimbal.${call}()` },
+  lines: { command, cpp: checked(`client.${call}()`), python: `gimbal.${call}()` },
 });
 export const stop = plain("stop", "sbgc stop", "stop");
 export const release = plain("release", "", "release");
@@ -66,7 +69,9 @@ export const chooseProfile = (profile: number): Action => ({
   text: `menu profile${profile}`,
   lines: {
     command: `sbgc menu profile${profile}`,
-    cpp: `client.call(sbgc::msg::ExecuteMenu{.cmd_id = sbgc::msg::MenuCommand::profile${profile}});`,
+    cpp: checked(
+      `client.call(sbgc::msg::ExecuteMenu{.cmd_id = sbgc::msg::MenuCommand::profile${profile}})`,
+    ),
     python: `gimbal.call(msg.ExecuteMenu(cmd_id=msg.MenuCommand.MENU_CMD_PROFILE${profile}))`,
   },
 });
@@ -75,6 +80,7 @@ export const doctorLines: Lines = {
   command: "sbgc doctor",
   cpp: [
     "const auto measured = client.run(sbgc::tasks::measure());",
+    "if (!measured) return measured.error();",
     "for (const auto& finding : sbgc::doctor::findings_of(*measured)) {",
     "  std::puts(finding.sentence.c_str());",
     "}",

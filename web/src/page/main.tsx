@@ -8,6 +8,5 @@ import { Session } from "./session.js";
 const place = document.getElementById("playground");
 if (place) {
   const worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
-  place.replaceChildren();
   render(<App session={new Session(worker)} />, place);
 }

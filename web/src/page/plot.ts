@@ -3,6 +3,7 @@
 import uPlot from "uplot";
 
 import { seconds } from "./history.js";
+import { colorsOf } from "./theme.js";
 
 export interface Plot {
   draw(data: number[][]): void;
@@ -17,8 +18,7 @@ const leastSpan = 2;
 
 /** Three axes; six columns if there are targets, which are dashed. */
 export function createPlot(place: HTMLElement, unit: string, hasTargets: boolean): Plot {
-  const style = getComputedStyle(place);
-  const color = (name: string): string => style.getPropertyValue(name).trim();
+  const color = colorsOf(place);
   const line = (n: number, dash: number[]): uPlot.Series => ({
     stroke: color(colors[n % 3] ?? "--text"),
     width: dash.length ? 1 : 1.6,

@@ -6,12 +6,10 @@ import { useEffect, useRef, useState } from "preact/hooks";
 import type { View } from "../worker_messages.js";
 import type { Direction } from "./attitude.js";
 import { anglesWords } from "./axes.js";
-import { useSession } from "./session.js";
+import { everySecond, useSession } from "./session.js";
 import { onThemeChange } from "./theme.js";
 import type { View3D } from "./view3d.js";
 
-const perSecond = 60;
-const labelsPerSecond = 1;
 
 /** For tests and for the curious: nothing here changes the page. */
 declare global {
@@ -42,14 +40,14 @@ export function GimbalView() {
     let isInSight = false;
     let isEnded = false;
     let isLoading = false;
-    let labelDue = 0;
+    const label = everySecond(({ camera }: View) =>
+      target.setAttribute("aria-label", `The gimbal. Camera: ${anglesWords(camera)}`),
+    );
 
-    const show = ({ frame, camera }: View): void => {
+    const show = (view: View): void => {
       if (!isInSight) return;
-      view3d?.show(frame, camera);
-      if (performance.now() < labelDue) return;
-      labelDue = performance.now() + 1000 / labelsPerSecond;
-      target.setAttribute("aria-label", `The gimbal. Camera: ${anglesWords(camera)}`);
+      view3d?.show(view.frame, view.camera);
+      label(view);
     };
 
     const load = async (): Promise<void> => {
@@ -67,7 +65,7 @@ export function GimbalView() {
         ends.push(
           () => size.disconnect(),
           onThemeChange(made.recolor),
-          session.draw(perSecond, show),
+          session.draw(60, show),
           onDrag(target, made.orbit),
           made.end,
         );

@@ -101,6 +101,17 @@ export class Session {
   }
 }
 
+/** Limits the calls of a function, such as one for labels. */
+export function everySecond<T>(call: (value: T) => void): (value: T) => void {
+  let due = 0;
+  return (value) => {
+    const now = performance.now();
+    if (now < due) return;
+    due = now + 1000;
+    call(value);
+  };
+}
+
 const Context = createContext<Session | null>(null);
 export const SessionProvider = Context.Provider;
 
