@@ -21,7 +21,10 @@ LICENSES = {
     "libkissfft-dev": "BSD-3-Clause",
     "minisearch": "MIT",
     "nlohmann-json3-dev": "MIT",
+    "preact": "MIT",
     "pybind11-dev": "BSD-3-Clause",
+    "three": "MIT",
+    "uplot": "MIT",
     "wasi-libc": "MIT",
 }
 LIBRARY = ("libasio-dev", "libfmt-dev", "libkissfft-dev", "nlohmann-json3-dev")
@@ -35,6 +38,9 @@ PARTS = {
         "libfmt-dev",
         "minisearch",
         "nlohmann-json3-dev",
+        "preact",
+        "three",
+        "uplot",
         "wasi-libc",
     ),
     r"sbgc-arduino-.*\.zip": (),

@@ -3,7 +3,7 @@
 
 import type { EmulatorOptions, Finding } from "./modules.js";
 
-/** From the page. The worker answers `act`, `send`, `doctor` and `build` with `done` of the same `id`. */
+/** From the page. The worker answers `act`, `send`, `decode` and `doctor` with `done` of the same `id`. */
 export type Request =
   /** Turns a board on, and connects to it. Repeated: a new board. */
   | { kind: "start"; options: EmulatorOptions }
@@ -15,6 +15,8 @@ export type Request =
   | { kind: "act"; id: number; action: string }
   /** A request as a frame in hex, which the frame builder has made. */
   | { kind: "send"; id: number; frame: string }
+  /** Decodes such a frame, and sends nothing: `done` has it as a frame of the host. */
+  | { kind: "decode"; id: number; frame: string }
   /** Measures for some seconds and judges. */
   | { kind: "doctor"; id: number }
   /** Whether frames are decoded and reported, which loads the module of messages. */

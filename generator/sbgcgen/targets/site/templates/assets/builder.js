@@ -225,6 +225,10 @@
         element("a", { class: "button quiet small", href: `${root}decoder.html#hex=${frame}&from=host` }, "Open in the decoder"),
         " ",
         element("a", { class: "button quiet small built-link", href: `#build${values.join("")}` }, "Link to these values"),
+        // A link holds no secret.
+        ...(shared.length === lines.length
+          ? [" ", element("a", { class: "button quiet small built-trial", href: `${root}playground.html#send=${frame}` }, "Try it in the playground")]
+          : []),
       ),
     );
     for (const { word, title, code } of languages) {

@@ -1,0 +1,180 @@
+// The page: the gimbal on one side, what to do with it on the other.
+
+import { useEffect, useRef, useState } from "preact/hooks";
+
+import { DeskProvider, LanguageChoice, type Desk } from "./actions.js";
+import { Charts } from "./charts.js";
+import { BoardPanel, MovePanel, TurnPanel } from "./controls.js";
+import { DoctorPanel } from "./doctor.js";
+import { optionsOf } from "./emulation.js";
+import { FaultPanel } from "./faults.js";
+import { Horizons } from "./horizon.js";
+import { stop, type Action, type Language } from "./lines.js";
+import { Log } from "./log.js";
+import { MotionPanel } from "./motion.js";
+import { Numbers } from "./numbers.js";
+import { Offline } from "./offline.js";
+import { GimbalView } from "./scene.js";
+import { SessionProvider, type Session } from "./session.js";
+import { Status } from "./status.js";
+import { Trial } from "./trial.js";
+import { emulationOf, linkOf, readLink, usualValues, type Values } from "./values.js";
+
+/** How long the page waits for more changes of motion and faults, in ms. */
+const changePause = 200;
+const isTyping = (target: EventTarget | null): boolean =>
+  target instanceof Element && target.closest(".search, .menu") !== null;
+
+interface Outcome {
+  text: string;
+  isBad: boolean;
+}
+
+export function App({ session }: { session: Session }) {
+  const [{ first, refusal }] = useState(() => {
+    const read = readLink(location.hash);
+    return typeof read === "string"
+      ? { first: usualValues(), refusal: read }
+      : { first: read, refusal: "" };
+  });
+  const [values, setValues] = useState(first);
+  const [refused, setRefused] = useState(refusal);
+  const [language, setLanguage] = useState<Language>("command");
+  const [isReady, setReady] = useState(false);
+  const [identity, setIdentity] = useState("");
+  const [failure, setFailure] = useState("");
+  const [notice, setNotice] = useState("");
+  const [outcome, setOutcome] = useState<Outcome>({ text: "", isBad: false });
+  const [pace, setPace] = useState(1);
+  const latest = useRef(0);
+  const set = (change: Partial<Values>): void => setValues((now) => ({ ...now, ...change }));
+
+  useEffect(() => {
+    const end = session.listen((report) => {
+      if (report.kind === "ready") setReady(true);
+      if (report.kind === "identity") setIdentity(report.text);
+      if (report.kind === "failed") setFailure(report.message);
+      if (report.kind === "notice") setNotice(report.text);
+    });
+    session.start(optionsOf(emulationOf(first)));
+    return end;
+  }, [session]);
+
+  const emulation = JSON.stringify(optionsOf(emulationOf(values)));
+  const applied = useRef(emulation);
+  useEffect(() => {
+    if (emulation === applied.current) return;
+    const timer = setTimeout(() => {
+      applied.current = emulation;
+      session.change(JSON.parse(emulation));
+    }, changePause);
+    return () => clearTimeout(timer);
+  }, [session, emulation]);
+
+  /** Only the newest action says how it ended: it has taken the camera from those before. */
+  const run = async (action: Action, label: string): Promise<void> => {
+    const number = ++latest.current;
+    setOutcome({ text: `${label} …`, isBad: false });
+    const done = await session.ask({ kind: "act", action: action.text });
+    if (number !== latest.current) return;
+    setOutcome({ text: `${label}: ${done.error ?? "done"}`, isBad: Boolean(done.error) });
+  };
+
+  useEffect(() => {
+    const key = (event: KeyboardEvent): void => {
+      if (event.key === "Escape" && !isTyping(event.target)) void run(stop, "Stop");
+    };
+    const address = (): void => {
+      if (location.hash.length < 2 || location.hash === "#main") return;
+      const read = readLink(location.hash);
+      setRefused(typeof read === "string" ? read : "");
+      if (typeof read !== "string") setValues(read);
+    };
+    addEventListener("keydown", key);
+    addEventListener("hashchange", address);
+    return () => {
+      removeEventListener("keydown", key);
+      removeEventListener("hashchange", address);
+    };
+  }, [session]);
+
+  const restart = (): void => {
+    setReady(false);
+    setOutcome({ text: "", isBad: false });
+    setNotice("");
+    session.start(optionsOf(emulationOf(values)));
+    session.pace(pace);
+  };
+  const desk: Desk = { language, isReady, run: (action, label) => void run(action, label) };
+  return (
+    <SessionProvider value={session}>
+      <DeskProvider value={desk}>
+        <Offline />
+        {failure && (
+          <div class="note bad" role="alert">
+            <p>The gimbal cannot run here: {failure}</p>
+          </div>
+        )}
+        {refused && (
+          <div class="note warn" role="alert">
+            <p>The link is refused, and nothing of it is used: {refused}.</p>
+          </div>
+        )}
+        <Status
+          identity={identity}
+          pace={pace}
+          onPace={setPace}
+          onRestart={restart}
+          onStop={() => void run(stop, "Stop")}
+        />
+        {values.send && (
+          <Trial key={values.send} hex={values.send} onClose={() => set({ send: "" })} />
+        )}
+        <div class="bench">
+          <div class="stage">
+            <GimbalView />
+            <Horizons />
+            <Numbers />
+            <p class={outcome.isBad ? "outcome bad" : "outcome"} role="status">
+              {outcome.text || notice}
+            </p>
+          </div>
+          <div class="panels">
+            <LanguageChoice language={language} onChange={setLanguage} />
+            <BoardPanel values={values} set={set} />
+            <MovePanel values={values} set={set} />
+            <TurnPanel values={values} set={set} />
+            <MotionPanel values={values} set={set} />
+          </div>
+        </div>
+        <FaultPanel values={values} set={set} />
+        <DoctorPanel />
+        <Charts />
+        <Log />
+        <Share values={values} />
+      </DeskProvider>
+    </SessionProvider>
+  );
+}
+
+function Share({ values }: { values: Values }) {
+  const [said, setSaid] = useState("");
+  const copy = async (): Promise<void> => {
+    const link = linkOf(values);
+    history.replaceState(null, "", link.length > 1 ? link : location.pathname);
+    try {
+      await navigator.clipboard.writeText(location.href);
+      setSaid("The link is copied.");
+    } catch {
+      setSaid("The address of the page is now the link.");
+    }
+  };
+  return (
+    <p class="share">
+      <button type="button" class="plain quiet small" onClick={() => void copy()}>
+        Link to these values
+      </button>{" "}
+      <span role="status">{said}</span>
+    </p>
+  );
+}

@@ -1,0 +1,138 @@
+// The frames on the line, decoded; the newest ones.
+
+import { useEffect, useRef, useState } from "preact/hooks";
+
+import type { LoggedFrame } from "../worker_messages.js";
+import { fixed } from "./axes.js";
+import { useSession } from "./session.js";
+
+const most = 500;
+const shown = 60;
+const interval = 250; // ms
+
+/** The pages of the messages, which the template of the page names. */
+const pages: Record<string, string> = JSON.parse(
+  document.getElementById("message-pages")?.textContent ?? "{}",
+);
+
+const keyOf = (frame: LoggedFrame): string => `${frame.from} ${frame.message || frame.command}`;
+
+/** A frame with its fields behind a summary. */
+export function FrameEntry({ frame, isOpen }: { frame: LoggedFrame; isOpen?: boolean }) {
+  const page = Object.hasOwn(pages, frame.message) ? pages[frame.message] : undefined;
+  const name = frame.message || frame.command;
+  return (
+    <details class={`frame ${frame.from}`} open={isOpen ?? false}>
+      <summary>
+        <span class="time">{fixed(frame.seconds, 3)}</span>
+        <span class="from">{frame.from === "host" ? "to board" : "from board"}</span>
+        <b>{name}</b>
+        <span class="brief">
+          {frame.problem || frame.fields.map(([path, value]) => `${path} ${value}`).join(", ")}
+        </span>
+      </summary>
+      <div>
+        {page && (
+          <p>
+            <a href={page}>{frame.message}</a> <span class="muted">{frame.command}</span>
+          </p>
+        )}
+        <pre tabIndex={0} aria-label={`Bytes of ${name}`}>
+          {frame.hex.match(/../g)?.join(" ").toUpperCase()}
+        </pre>
+        {frame.problem && <p class="bad">{frame.problem}</p>}
+        <dl>
+          {frame.fields.map(([path, value]) => (
+            <div key={path}>
+              <dt>{path}</dt>
+              <dd>{value}</dd>
+            </div>
+          ))}
+        </dl>
+      </div>
+    </details>
+  );
+}
+
+export function Log() {
+  const session = useSession();
+  const frames = useRef<[number, LoggedFrame][]>([]);
+  const count = useRef(0);
+  const lost = useRef(0);
+  const [isOn, setOn] = useState(false);
+  const [isPaused, setPaused] = useState(false);
+  const [without, setWithout] = useState<readonly string[]>([]);
+  const [, redraw] = useState(0);
+  useEffect(() => {
+    if (!isOn || isPaused) return;
+    let isNew = false;
+    const end = session.listen((report) => {
+      if (report.kind !== "log") return;
+      isNew = true;
+      lost.current += report.lost;
+      for (const frame of report.frames) frames.current.push([++count.current, frame]);
+      frames.current.splice(0, frames.current.length - most);
+    });
+    const timer = setInterval(() => {
+      if (isNew) redraw(count.current);
+      isNew = false;
+    }, interval);
+    session.log(true);
+    return () => {
+      end();
+      clearInterval(timer);
+      session.log(false);
+    };
+  }, [session, isOn, isPaused]);
+
+  const kinds = [...new Set(frames.current.map(([, frame]) => keyOf(frame)))].sort();
+  const visible = frames.current.filter(([, frame]) => !without.includes(keyOf(frame)));
+  const toggle = (kind: string): void =>
+    setWithout(without.includes(kind) ? without.filter((k) => k !== kind) : [...without, kind]);
+  return (
+    <section aria-labelledby="log-title" class="log">
+      <div class="head">
+        <h2 id="log-title">Frames on the line</h2>
+        <div class="do">
+          <button type="button" class="plain quiet small" onClick={() => setOn(!isOn)}>
+            {isOn ? "End the log" : "Show the log"}
+          </button>
+          {isOn && (
+            <button type="button" class="plain quiet small" onClick={() => setPaused(!isPaused)}>
+              {isPaused ? "Continue" : "Pause"}
+            </button>
+          )}
+        </div>
+      </div>
+      {isOn && (
+        <>
+          <fieldset class="kinds">
+            <legend class="hidden">Shown messages</legend>
+            {kinds.map((kind) => (
+              <label key={kind}>
+                <input
+                  type="checkbox"
+                  checked={!without.includes(kind)}
+                  onChange={() => toggle(kind)}
+                />
+                <span>{kind}</span>
+              </label>
+            ))}
+          </fieldset>
+          <p class="muted small">
+            {count.current} frames, the newest first
+            {lost.current > 0 && `; ${lost.current} were too many to decode`}
+          </p>
+          <div class="frames">
+            {visible
+              .slice(-shown)
+              .reverse()
+              .map(([number, frame]) => (
+                <FrameEntry key={number} frame={frame} />
+              ))}
+          </div>
+        </>
+      )}
+    </section>
+  );
+}

@@ -1,0 +1,66 @@
+// One chart of uPlot, in the colors of the site; playground.css has the rules that it needs.
+
+import uPlot from "uplot";
+
+import { seconds } from "./history.js";
+import { colorsOf } from "./theme.js";
+
+export interface Plot {
+  draw(data: number[][]): void;
+  resize(): void;
+  end(): void;
+}
+
+const colors = ["--edge-5", "--edge-2", "--edge-0"];
+const height = 150;
+/** The least height of the vertical scale, so that noise at rest is not blown up. */
+const leastSpan = 2;
+
+/** Three axes; six columns if there are targets, which are dashed. */
+export function createPlot(place: HTMLElement, unit: string, hasTargets: boolean): Plot {
+  const color = colorsOf(place);
+  const line = (n: number, dash: number[]): uPlot.Series => ({
+    stroke: color(colors[n % 3] ?? "--text"),
+    width: dash.length ? 1 : 1.6,
+    dash,
+    points: { show: false },
+  });
+  const axis: uPlot.Axis = {
+    stroke: color("--muted"),
+    font: "11px system-ui, sans-serif",
+    grid: { stroke: color("--line"), width: 1 },
+    ticks: { show: false },
+  };
+  const range = (_: uPlot, low: number, high: number): [number, number] => {
+    const margin = Math.max((leastSpan - (high - low)) / 2, (high - low) * 0.08);
+    return [low - margin, high + margin];
+  };
+  const plot = new uPlot(
+    {
+      width: place.clientWidth,
+      height,
+      cursor: { show: false },
+      legend: { show: false },
+      scales: {
+        x: { time: false, range: (_, low, high) => [low, Math.max(high, low + seconds)] },
+        y: { range },
+      },
+      axes: [
+        { ...axis, size: 24, incrs: [1, 2, 5, 10, 15, 30], values: (_, ticks) => ticks.map((one) => `${Math.round(one)} s`) },
+        { ...axis, size: 52, values: (_, ticks) => ticks.map((one) => `${one}${unit}`) },
+      ],
+      series: [
+        {},
+        ...[0, 1, 2].map((n) => line(n, [])),
+        ...(hasTargets ? [0, 1, 2].map((n) => line(n, [4, 4])) : []),
+      ],
+    },
+    [[]] as unknown as uPlot.AlignedData,
+    place,
+  );
+  return {
+    draw: (data) => plot.setData(data as uPlot.AlignedData),
+    resize: () => plot.setSize({ width: place.clientWidth, height }),
+    end: () => plot.destroy(),
+  };
+}

@@ -1,0 +1,130 @@
+// The page's side of the worker.
+
+import { createContext } from "preact";
+import { useContext, useEffect, useState } from "preact/hooks";
+
+import type { EmulatorOptions } from "../modules.js";
+import type { Report, Request, View } from "../worker_messages.js";
+
+export type Done = Extract<Report, { kind: "done" }>;
+/** A request that the worker answers, without its number. */
+type Question = Request extends infer R
+  ? R extends { id: number }
+    ? Omit<R, "id">
+    : never
+  : never;
+
+export class Session {
+  /** The newest one. */
+  view: View | null = null;
+  readonly #worker: Worker;
+  readonly #pending = new Map<number, (done: Done) => void>();
+  readonly #listeners = new Set<(report: Report) => void>();
+  #last = 0;
+
+  constructor(worker: Worker) {
+    this.#worker = worker;
+    worker.addEventListener("message", (event: MessageEvent<Report>) => this.#take(event.data));
+    worker.addEventListener("error", (event) =>
+      this.#take({ kind: "failed", message: event.message || "the worker could not be loaded" }),
+    );
+  }
+
+  start(options: EmulatorOptions): void {
+    this.#post({ kind: "start", options });
+  }
+
+  change(options: EmulatorOptions): void {
+    this.#post({ kind: "change", options });
+  }
+
+  pace(factor: number): void {
+    this.#post({ kind: "pace", factor });
+  }
+
+  log(on: boolean): void {
+    this.#post({ kind: "log", on });
+  }
+
+  ask(question: Question): Promise<Done> {
+    const id = ++this.#last;
+    return new Promise((resolve) => {
+      this.#pending.set(id, resolve);
+      this.#post({ ...question, id } as Request);
+    });
+  }
+
+  /** Returns a function that ends it. */
+  listen(listener: (report: Report) => void): () => void {
+    this.#listeners.add(listener);
+    return () => this.#listeners.delete(listener);
+  }
+
+  /**
+   * Calls `draw` before the browser paints, if there is a new view, and at most so many times a
+   * second. Hidden pages are not painted. Returns a function that ends it.
+   */
+  draw(hertz: number, draw: (view: View) => void): () => void {
+    let due = 0;
+    let pending = 0;
+    const paint = (now: number): void => {
+      if (now < due) {
+        pending = requestAnimationFrame(paint);
+        return;
+      }
+      pending = 0;
+      due = now + 1000 / hertz;
+      if (this.view) draw(this.view);
+    };
+    const ask = (): void => {
+      pending ||= requestAnimationFrame(paint);
+    };
+    ask();
+    const end = this.listen((report) => report.kind === "view" && ask());
+    return () => {
+      end();
+      cancelAnimationFrame(pending);
+    };
+  }
+
+  #post(request: Request): void {
+    this.#worker.postMessage(request);
+  }
+
+  #take(report: Report): void {
+    if (report.kind === "view") this.view = report.view;
+    if (report.kind === "done") {
+      this.#pending.get(report.id)?.(report);
+      this.#pending.delete(report.id);
+    }
+    for (const listener of this.#listeners) listener(report);
+  }
+}
+
+/** Limits the calls of a function, such as one for labels. */
+export function everySecond<T>(call: (value: T) => void): (value: T) => void {
+  let due = 0;
+  return (value) => {
+    const now = performance.now();
+    if (now < due) return;
+    due = now + 1000;
+    call(value);
+  };
+}
+
+const Context = createContext<Session | null>(null);
+export const SessionProvider = Context.Provider;
+
+export function useSession(): Session {
+  const session = useContext(Context);
+  if (!session) throw new Error("no session");
+  return session;
+}
+
+/** The newest view, a few times a second. */
+export function useView(hertz: number): View | null {
+  const session = useSession();
+  const [view, setView] = useState(session.view);
+  useEffect(() => session.draw(hertz, setView), [session, hertz]);
+  return view;
+}
