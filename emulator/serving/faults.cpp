@@ -67,8 +67,9 @@ class Value {
   std::size_t axis(std::size_t usual) {
     const auto part = next();
     if (!part) return usual;
-    const auto* const name = std::find_if(
-        axis_names.begin(), axis_names.end(), [&](std::string_view one) { return sbgc::detail::is_same_word(*part, one); });
+    const auto* const name =
+        std::find_if(axis_names.begin(), axis_names.end(),
+                     [&](std::string_view one) { return sbgc::detail::is_same_word(*part, one); });
     if (name != axis_names.end()) return static_cast<std::size_t>(name - axis_names.begin());
     refuse_part("roll, pitch or yaw");
     return usual;

@@ -2,7 +2,7 @@
 
 import { EmulatedGimbal } from "./line.js";
 import { Log } from "./log.js";
-import { FrameStream } from "./messages.js";
+import type { Direction } from "./messages.js";
 import { bytesOf, Wasm } from "./wasm.js";
 import type { LoggedFrame, Report, Request } from "./worker_messages.js";
 
@@ -67,6 +67,9 @@ class Playground {
       case "send":
         if (gimbal) this.#answer(request.id, this.#send(gimbal, request.frame));
         return;
+      case "decode":
+        this.#answer(request.id, this.#decoded("host", bytesOf(request.frame), gimbal?.now ?? 0));
+        return;
       case "doctor":
         if (gimbal) {
           const findings = gimbal.client.diagnose();
@@ -89,17 +92,12 @@ class Playground {
 
   async #send(gimbal: EmulatedGimbal, hex: string): Promise<{ frames: LoggedFrame[] }> {
     const reply = await gimbal.client.send(bytesOf(hex));
-    const stream = new FrameStream(await Wasm.load((await this.#loadMessages()).module), "board");
-    const frames = stream.feed(reply.frame).map(({ frame, rows, reason }) => ({
-      seconds: gimbal.now / 1e6,
-      from: "board" as const,
-      command: frame.command ?? String(frame.id),
-      message: frame.message ?? "",
-      hex: "",
-      fields: rows.map(([path, raw, meaning]): [string, string] => [path, meaning || raw]),
-      problem: reason ?? "",
-    }));
-    return { frames };
+    return this.#decoded("board", reply.frame, gimbal.now);
+  }
+
+  async #decoded(from: Direction, bytes: Uint8Array, now: number): Promise<{ frames: LoggedFrame[] }> {
+    const log = await Log.make(await this.#loadMessages());
+    return { frames: log.feed(from, bytes, now / 1e6) };
   }
 
   /** Answers a request of the page when its work has ended. */

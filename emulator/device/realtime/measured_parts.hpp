@@ -47,7 +47,7 @@ struct MeasuredParts {
   struct FaultCounts {
     double i2c = 0, serial = 0;
   };
-  FaultCounts counted{};   ///< until `counted_at`, since when the faults are the present ones
+  FaultCounts counted{};  ///< until `counted_at`, since when the faults are the present ones
   Instant counted_at{};
 
   /// The time since the start, which wraps every 65.5 s.
