@@ -331,6 +331,15 @@ void Board::sent(std::size_t port, std::size_t size, Instant now) {
 
 void Board::restart(Instant now) { entered().restart(now); }
 
+void Board::change(const BoardFaults& faults, const Gimbal::Options& gimbal, Instant now) {
+  advance(now);
+  Device& device = core_->device;
+  device.measured.count_faults(now);
+  device.options.faults = faults;
+  device.options.gimbal = gimbal;
+  device.gimbal.change(gimbal, now);
+}
+
 void Board::memory_saved(std::uint32_t revision, Instant now) {
   entered().memory_saved(revision, now);
 }

@@ -167,6 +167,18 @@ void Emulator::restart(Instant now) {
   step(now);
 }
 
+void Emulator::change(const EmulatorOptions& options, Instant now) {
+  advance(now);
+  options_.line.faults = options.line.faults;
+  for (std::optional<Port>& port : ports_) {
+    if (!port) continue;
+    port->to_board.set_faults(options.line.faults, now);
+    port->to_host.set_faults(options.line.faults, now);
+  }
+  board_.change(options.board.faults, options.board.gimbal, now);
+  step(now);
+}
+
 void Emulator::memory_saved(std::uint32_t revision, Instant now) {
   advance(now);
   board_.memory_saved(revision, now);

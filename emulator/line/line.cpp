@@ -42,8 +42,14 @@ Line::Line(const LineOptions& options, Way way, Instant beginning, Instant now)
       run_(now),
       handed_over_(now),
       last_arrival_(now) {
-  if (way == Way::to_host && options.faults.text_every > Duration{}) plan_text(now);
+  set_faults(options.faults, now);
   settings_changed();
+}
+
+void Line::set_faults(const Faults& faults, Instant now) {
+  options_.faults = faults;
+  text_due_.reset();
+  if (way_ == Way::to_host && faults.text_every > Duration{}) plan_text(now);
 }
 
 void Line::set_host(const std::optional<LineSettings>& settings) {

@@ -11,6 +11,12 @@ class Battery {
   /// `full` is the full voltage; `capacity` is in ampere hours, 0 means that it never runs empty.
   Battery(double full, double capacity);
 
+  /// Replaces both values; the charge drawn stays drawn.
+  void change(double full, double capacity) {
+    const double drawn = drawn_;
+    *this = Battery(full, capacity);
+    drawn_ = drawn;
+  }
   /// Draws a current for some time.
   void draw(double current, double seconds);
   /// Returns the voltage at this current.

@@ -62,6 +62,11 @@ void Gimbal::tune(const Tuning& tuning, Instant now) {
   mechanics.check_battery();
 }
 
+void Gimbal::change(const Options& options, Instant now) {
+  mechanics_->advance(now);
+  mechanics_->change(options);
+}
+
 void Gimbal::set_motors(bool on, Instant now) {
   Mechanics& mechanics = *mechanics_;
   mechanics.advance(now);

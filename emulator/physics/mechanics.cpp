@@ -50,18 +50,38 @@ Axes<double> plus(const Axes<double>& a, const Axes<double>& b, double factor) {
 
 Mechanics::Mechanics(const Gimbal::Options& options, Instant at)
     : start(at),
-      frame(options.frame, options.seed),
+      seed(options.seed),
+      frame(options.frame, seed),
       main(options.seed, 1, options.noise, options.ambient, 14, options.gyro_drift),
       second(options.seed, 2, options.noise, options.ambient, 9, {}),
-      battery(options.battery, options.capacity),
-      vibration(options.vibration),
-      strain(options.strain) {
+      battery(options.battery, options.capacity) {
+  load(options);
   for (std::size_t i = 0; i < 3; ++i) {
-    imbalance[i] = -imbalance_strength * within(options.imbalance[i], -1, 1);
     axes[i].motion.stick(around(i));
     axes[i].apply_orders(orders[i], false, true, around(i));
   }
   update_slow(0);
+}
+
+void Mechanics::load(const Gimbal::Options& options) {
+  vibration = options.vibration;
+  strain = options.strain;
+  for (std::size_t i = 0; i < 3; ++i) {
+    imbalance[i] = -imbalance_strength * within(options.imbalance[i], -1, 1);
+  }
+}
+
+void Mechanics::change(const Gimbal::Options& options) {
+  frame = FrameMotion(options.frame, seed);
+  frame.jump(step);
+  battery.change(options.battery, options.capacity);
+  main.set_fault(options.gyro_drift);
+  load(options);
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!axes[i].is_held) axes[i].motion.stick(around(i));
+  }
+  update_slow(0);
+  check_battery();
 }
 
 AxisSurroundings Mechanics::around(std::size_t axis) const {

@@ -20,6 +20,8 @@ struct Mechanics {
 
   Mechanics(const Gimbal::Options& options, Instant at);
 
+  /// See Gimbal::change().
+  void change(const Gimbal::Options& options);
   /// Executes all steps until `now`.
   void advance(Instant now);
   /// Applies the orders of an axis from now on. `is_new`: there is a new command.
@@ -37,12 +39,13 @@ struct Mechanics {
 
   Instant start;
   std::int64_t step = 0;
+  std::uint32_t seed;
   FrameMotion frame;
   Imu main, second;
   Battery battery;
   Axes<double> imbalance{};
-  std::optional<Vibration> vibration;
-  Axes<double> strain;
+  std::optional<Vibration> vibration{};
+  Axes<double> strain{};
   RotationOrder order = valid_order({1, 0, 2});
   double gyro_trust = 100;
   double battery_stop = -1;
@@ -54,6 +57,7 @@ struct Mechanics {
   AxisStates axes{};
 
  private:
+  void load(const Gimbal::Options& options);
   void advance_to(std::int64_t until);
   void skip_to(std::int64_t until);
   AxisSurroundings around(std::size_t axis, const FrameMotion::State& at,

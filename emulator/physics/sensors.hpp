@@ -41,6 +41,8 @@ class Imu {
   /// to roll and pitch, `has_heading` to yaw.
   void set_reference(const Axes<double>& error, bool has_up, bool has_heading, std::int64_t until);
   void correct_gyro(const Vector& offset, double heading);
+  /// Replaces the drift that no calibration removes.
+  void set_fault(const Vector& fault) { fault_ = fault; }
   void calibrate();
   void restart();
 

@@ -17,6 +17,8 @@
 
 #include "hosts/listen.hpp"
 #include "serving/motion_file.hpp"
+#include "serving/motion_name.hpp"
+#include "serving/share.hpp"
 
 namespace sbgc::serving {
 
@@ -75,15 +77,6 @@ hosts::ListenAddress parse_listen(const std::string& text) {
     throw std::invalid_argument(error.what());
   }
   return result;
-}
-
-std::optional<double> read_share(std::string_view text, double least, double most) {
-  const bool is_percent = text.ends_with('%');
-  if (is_percent) text.remove_suffix(1);
-  const auto number = sbgc::detail::parse_number<double>(text);
-  if (!number || (least >= 0 && text.front() == '-')) return {};
-  const double share = is_percent ? *number / 100 : *number;
-  return share >= least && share <= most ? std::optional(share) : std::nullopt;  // NaN is neither
 }
 
 double parse_share(const std::string& text) {
@@ -159,16 +152,9 @@ msg::BoardVersion parse_board(const std::string& text) {
 }
 
 emulator::Disturbance parse_motion(const std::string& text) {
-  using Kind = emulator::Disturbance::Kind;
-  constexpr std::array<std::pair<std::string_view, Kind>, 4> kinds{{{"rest", Kind::rest},
-                                                                    {"handheld", Kind::handheld},
-                                                                    {"drone", Kind::drone},
-                                                                    {"vehicle", Kind::vehicle}}};
-  for (const auto& [name, kind] : kinds) {
-    if (text == name) return {.kind = kind};
-  }
+  if (const auto kind = motion_named(text)) return {.kind = *kind};
   try {
-    return {.kind = Kind::recorded, .recording = load_motion(text)};
+    return {.kind = emulator::Disturbance::Kind::recorded, .recording = load_motion(text)};
   } catch (const std::runtime_error& error) {
     throw std::invalid_argument(std::string(error.what()) +
                                 " (instead of a file: rest, handheld, drone or vehicle)");

@@ -18,8 +18,6 @@ namespace sbgc::serving {
 /// supported.
 hosts::ListenAddress parse_listen(const std::string& text);
 
-/// Reads "0.01" or "1%". Returns nothing for other text or a share outside the range.
-std::optional<double> read_share(std::string_view text, double least, double most);
 /// From 0 to 1.
 double parse_share(const std::string& text);
 

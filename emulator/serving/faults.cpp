@@ -4,8 +4,8 @@
 #include <array>
 #include <cstddef>
 #include <optional>
-#include <stdexcept>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@
 #include <sbgc/internal/words.hpp>
 #include <sbgc/meta/enums.hpp>
 
-#include "serving/arguments.hpp"
+#include "serving/share.hpp"
 
 namespace sbgc::serving {
 
@@ -35,7 +35,8 @@ std::vector<std::string> split_at(std::string_view text, char separator) {
   }
 }
 
-/// The value of a fault, whose parts may be omitted from the end.
+/// The value of a fault, whose parts may be omitted from the end. Without exceptions, for
+/// WebAssembly: after a mistake, parts have their usual values.
 class Value {
  public:
   Value(std::string_view fault, const std::optional<std::string>& text, const char* wanted)
@@ -52,36 +53,36 @@ class Value {
                           sbgc::detail::is_same_word(text.substr(text.size() - unit.size()), unit);
     if (has_unit) text.remove_suffix(unit.size());
     const auto number = sbgc::detail::parse_number<double>(text);
-    if (!number || !(*number >= least && *number <= most)) {
-      refuse_part(fmt::format("from {} to {}{}{}", least, most, unit.empty() ? "" : " ", unit));
-    }
-    return *number;
+    if (number && *number >= least && *number <= most) return *number;
+    refuse_part(fmt::format("from {} to {}{}{}", least, most, unit.empty() ? "" : " ", unit));
+    return usual;
   }
   double share(double usual, double least, double most) {
     const auto part = next();
     if (!part) return usual;
-    const auto share = read_share(*part, least, most);
-    if (!share) {
-      refuse_part(fmt::format("from {} to {} ({}% to {}%)", least, most, least * 100, most * 100));
-    }
-    return *share;
+    if (const auto share = read_share(*part, least, most)) return *share;
+    refuse_part(fmt::format("from {} to {} ({}% to {}%)", least, most, least * 100, most * 100));
+    return usual;
   }
   std::size_t axis(std::size_t usual) {
     const auto part = next();
     if (!part) return usual;
-    const auto* const name = std::ranges::find_if(
-        axis_names, [&](std::string_view one) { return sbgc::detail::is_same_word(*part, one); });
-    if (name == axis_names.end()) refuse_part("roll, pitch or yaw");
-    return static_cast<std::size_t>(name - axis_names.begin());
+    const auto* const name =
+        std::find_if(axis_names.begin(), axis_names.end(),
+                     [&](std::string_view one) { return sbgc::detail::is_same_word(*part, one); });
+    if (name != axis_names.end()) return static_cast<std::size_t>(name - axis_names.begin());
+    refuse_part("roll, pitch or yaw");
+    return usual;
   }
-  /// Nothing may follow.
-  void end() const {
+  /// Nothing may follow. Returns the first mistake, or "".
+  std::string end() {
     if (used_ < parts_.size()) refuse();
+    return std::move(problem_);
   }
-  [[noreturn]] void refuse(const std::string& detail = {}) const {
-    throw std::invalid_argument(*wanted_ == '\0'
-                                    ? fmt::format("the fault '{}' has no value", fault_)
-                                    : fmt::format("the fault is {}{}{}", fault_, wanted_, detail));
+  void refuse(const std::string& detail = {}) {
+    if (!problem_.empty()) return;
+    problem_ = *wanted_ == '\0' ? fmt::format("the fault '{}' has no value", fault_)
+                                : fmt::format("the fault is {}{}{}", fault_, wanted_, detail);
   }
   bool is_given() const { return !parts_.empty(); }
 
@@ -91,7 +92,7 @@ class Value {
     return parts_[used_++];
   }
   /// Says what the part that was read last may be, under its name in `wanted_`.
-  [[noreturn]] void refuse_part(const std::string& range) const {
+  void refuse_part(const std::string& range) {
     constexpr const char* letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZ";
     const std::string_view form = wanted_;
     std::size_t from = 0;
@@ -107,6 +108,7 @@ class Value {
   const char* wanted_;
   std::vector<std::string> parts_{};
   std::size_t used_ = 0;
+  std::string problem_{};
 };
 
 struct Fault {
@@ -137,7 +139,7 @@ constexpr std::array faults{
           [](BoardOptions& board, Value& value) { board.gimbal.strain[value.axis(2)] = 1; }},
     Fault{"resonance", "=FREQUENCY[:RATE[:AXIS]]",
           [](BoardOptions& board, Value& value) {
-            if (!value.is_given()) value.refuse();
+            if (!value.is_given()) return value.refuse();
             emulator::Vibration vibration;
             vibration.frequency = value.number(0, 0.1, 1000, "Hz");
             vibration.rate = value.number(vibration.rate, 0, 1000);
@@ -172,11 +174,11 @@ constexpr std::array faults{
 std::string fault_name(const ValueInfo& error) {
   std::string name = detail::lower_case(error.name);
   if (name.starts_with("err_")) name.erase(0, 4);
-  std::ranges::replace(name, '_', '-');
+  std::replace(name.begin(), name.end(), '_', '-');
   return name;
 }
 
-void add_fault(std::string_view text, BoardOptions& board) {
+std::string add_fault(std::string_view text, BoardOptions& board) {
   const std::size_t equals = text.find('=');
   const std::string name = detail::lower_case(text.substr(0, equals));
   std::optional<std::string> given;
@@ -192,13 +194,12 @@ void add_fault(std::string_view text, BoardOptions& board) {
   for (const ValueInfo& error : EnumMeta<msg::SystemError>::info.values) {
     names.push_back(fault_name(error));
     if (name != names.back()) continue;
-    Value(name, given, "").end();
     board.faults.errors.set(static_cast<msg::SystemError>(error.value));
-    return;
+    return Value(name, given, "").end();
   }
-  throw std::invalid_argument(fmt::format(
+  return fmt::format(
       "unknown fault '{}'{}", name,
-      detail::did_you_mean(detail::nearest(name, names), "there are " + fault_names())));
+      detail::did_you_mean(detail::nearest(name, names), "there are " + fault_names()));
 }
 
 }  // namespace
@@ -211,8 +212,11 @@ std::string fault_names() {
   return names + ", and the names of errors such as calib-acc";
 }
 
-void add_faults(const std::string& list, BoardOptions& board) {
-  for (const std::string& one : split_at(list, ',')) add_fault(one, board);
+std::string add_faults(const std::string& list, BoardOptions& board) {
+  for (const std::string& one : split_at(list, ',')) {
+    if (std::string problem = add_fault(one, board); !problem.empty()) return problem;
+  }
+  return "";
 }
 
 }  // namespace sbgc::serving

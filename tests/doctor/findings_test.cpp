@@ -72,7 +72,7 @@ Measurements measured(const emulator::BoardOptions& options, int tenths = 50,
 
 Measurements with_faults(const std::string& faults) {
   emulator::BoardOptions options;
-  serving::add_faults(faults, options);
+  EXPECT_EQ(serving::add_faults(faults, options), "");
   return measured(options);
 }
 

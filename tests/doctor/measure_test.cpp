@@ -21,7 +21,7 @@ using testing::HasSubstr;
 
 emulator::EmulatorOptions board_with(const std::string& faults) {
   emulator::EmulatorOptions options;
-  serving::add_faults(faults, options.board);
+  EXPECT_EQ(serving::add_faults(faults, options.board), "");
   return options;
 }
 

@@ -226,11 +226,8 @@ void add_board_options(CLI::App& command, EmulateOptions& options) {
       .add_option_function<std::string>(
           "--fault",
           [&](const std::string& list) {
-            try {
-              serving::add_faults(list, board);
-            } catch (const std::invalid_argument& error) {
-              throw CLI::ValidationError("--fault", error.what());
-            }
+            const std::string problem = serving::add_faults(list, board);
+            if (!problem.empty()) throw CLI::ValidationError("--fault", problem);
           },
           "Faults of the gimbal, which `sbgc doctor` finds; separate several with commas: " +
               serving::fault_names())

@@ -31,7 +31,7 @@ Task<Result<void>> perform(msg::MenuCommand action, CallOptions options) {
   if (!done && done.error().code == ErrorCode::timeout) {
     done = ClientError{ErrorCode::unconfirmed, done.error().message};
   }
-  const auto* const wanted = std::ranges::find(profiles, action);
+  const auto* const wanted = std::find(profiles.begin(), profiles.end(), action);
   const bool is_unknown = !done && done.error().code == ErrorCode::unconfirmed;
   if (!is_unknown || wanted == profiles.end()) co_return done;
   const Result<std::size_t> active = co_await tasks::active_profile();

@@ -4,11 +4,16 @@
 // from, or an empty line for a new message; and for each field that is to change, its path, '=' and
 // its value as `sbgc send` takes it. A path alone adds that field or element. The output is JSON:
 //
-//   {"fields": [...], "frame": "3e…", "problems": [[path, sentence], ...],
+//   {"frame": "3e…", "problems": [[path, sentence], ...], "fields": [...],
 //    "warnings": [[path, sentence], ...], "lines": [[path, text, is secret], ...]}
 //
 // `fields` is described in message_form.hpp. `lines` make the message from a new one. With
 // problems, there is no frame, and `frame` is "". Warnings are of values without a name.
+//
+// encode() reads the name of a message; "newest" or "basic" for the framing; lines PATH=VALUE; an
+// empty line; and the message in JSON, to which the lines are assigned. Its output has "frame" and
+// "problems" alone. defaults() reads a name and writes the JSON of a new message, names() lists all
+// messages.
 
 #include <algorithm>
 #include <array>
@@ -24,10 +29,10 @@
 #include <sbgc/text.hpp>
 
 #include "frames/json_string.hpp"
-#include "values/complete_message.hpp"
-#include "values/unnamed.hpp"
 #include "modules/exchange.hpp"
 #include "modules/message_form.hpp"
+#include "values/complete_message.hpp"
+#include "values/unnamed.hpp"
 
 namespace sbgc::tools {
 
@@ -35,6 +40,8 @@ namespace {
 
 /// A problem of a field, or of the message if the path is "".
 using Problem = std::pair<std::string, std::string>;
+
+constexpr const char* no_message = "there is no such message";
 
 /// Takes the next line from a text.
 std::string_view take_line(std::string_view& text) {
@@ -87,13 +94,36 @@ void add_violations(const AnyMessage& message, std::vector<Problem>& problems) {
   });
 }
 
-std::string frame_of(const AnyMessage& message, std::vector<Problem>& problems) {
+std::string frame_of(const AnyMessage& message, std::vector<Problem>& problems,
+                     Framing framing = basic_framing) {
   if (!problems.empty()) return "";
   std::array<std::uint8_t, max_frame_size> frame{};
-  const WriteResult written = message.encode_frame(basic_framing, frame);
+  const WriteResult written = message.encode_frame(framing, frame);
   if (written) return detail::to_hex(std::span(frame).first(written.size));
   problems.push_back(about(written.status.field, to_string(written.status)));
   return "";
+}
+
+void put_list(TextOutput& out, const std::vector<Problem>& list) {
+  char separator = '[';
+  for (const auto& [path, sentence] : list) {
+    out.put(separator);
+    separator = ',';
+    out.put('[');
+    put_json_string(out, path);
+    out.put(',');
+    put_json_string(out, sentence);
+    out.put(']');
+  }
+  out.put(list.empty() ? "[]" : "]");
+}
+
+/// Writes {"frame": …, "problems": …, without the brace at the end.
+void put_result(TextOutput& out, const std::string& frame, const std::vector<Problem>& problems) {
+  out.put("{\"frame\":");
+  put_json_string(out, frame);
+  out.put(",\"problems\":");
+  put_list(out, problems);
 }
 
 void build(std::string_view input, std::string& output) {
@@ -102,8 +132,8 @@ void build(std::string_view input, std::string& output) {
   const std::string_view start = take_line(input);
   const MessageType* const type = find_message(name);
   if (type == nullptr) {
-    out.put(
-        R"({"fields":[],"frame":"","lines":[],"warnings":[],"problems":[["","there is no such message"]]})");
+    put_result(out, "", {{"", no_message}});
+    out.put(R"(,"fields":[],"lines":[],"warnings":[]})");
     return out.finish();
   }
   AnyMessage message = new_message(*type);
@@ -113,42 +143,55 @@ void build(std::string_view input, std::string& output) {
   add_violations(message, problems);
   const std::string frame = frame_of(message, problems);
   const MessageForm form(message);
-  out.put("{\"fields\":");
+  put_result(out, frame, problems);
+  out.put(",\"fields\":");
   form.put_fields(out);
-  out.put(",\"frame\":");
-  put_json_string(out, frame);
   std::vector<Problem> warnings;
   for_each_unnamed(message, [&](const std::string& path, const std::string& sentence) {
     warnings.emplace_back(path, sentence);
   });
+  out.put(",\"warnings\":");
+  put_list(out, warnings);
+  out.put(",\"lines\":[");
   bool is_first = true;
-  const auto separate = [&] {
+  for (const FormLine& line : form.lines()) {
     out.put(is_first ? "[" : ",[");
     is_first = false;
-  };
-  const auto put_list = [&](const char* begin, const std::vector<Problem>& list) {
-    out.put(begin);
-    is_first = true;
-    for (const auto& [path, sentence] : list) {
-      separate();
-      put_json_string(out, path);
-      out.put(',');
-      put_json_string(out, sentence);
-      out.put(']');
-    }
-  };
-  put_list(",\"problems\":[", problems);
-  put_list("],\"warnings\":[", warnings);
-  out.put("],\"lines\":[");
-  is_first = true;
-  for (const FormLine& line : form.lines()) {
-    separate();
     put_json_string(out, line.path);
     out.put(',');
     put_json_string(out, line.text);
     out.put(line.is_secret ? ",true]" : ",false]");
   }
   out.put("]}");
+  out.finish();
+}
+
+/// Makes the frame of a message in JSON, without its warnings and its form.
+void encode(std::string_view input, std::string& output) {
+  StringOutput out(output);
+  std::vector<Problem> problems;
+  std::string frame;
+  const MessageType* const type = find_message(take_line(input));
+  const Framing framing = take_line(input) == "newest" ? framings.back() : basic_framing;
+  const std::string_view rest = input;
+  while (!take_line(input).empty()) {
+  }
+  const std::string_view lines = rest.substr(0, rest.size() - input.size());
+  if (type == nullptr) {
+    problems.emplace_back("", no_message);
+  } else {
+    AnyMessage message = type->make();
+    const auto read = message.from_json(input);
+    if (read.problem) {
+      problems.emplace_back("", to_string(*read.problem));
+    } else {
+      problems = assign_all(lines, message);
+      add_violations(message, problems);
+      frame = frame_of(message, problems, framing);
+    }
+  }
+  put_result(out, frame, problems);
+  out.put('}');
   out.finish();
 }
 
@@ -161,4 +204,31 @@ SBGC_EXPORT(build) void sbgc_build() {
   const std::string input(exchange.input.begin(), exchange.input.end());
   exchange.output.clear();
   sbgc::tools::build(input, exchange.output);
+}
+
+/// Makes the frame of a message in JSON.
+SBGC_EXPORT(encode) void sbgc_encode() {
+  auto& exchange = sbgc::tools::exchange();
+  const std::string input(exchange.input.begin(), exchange.input.end());
+  exchange.output.clear();
+  sbgc::tools::encode(input, exchange.output);
+}
+
+/// Writes a new message as JSON; nothing if there is no such message.
+SBGC_EXPORT(defaults) void sbgc_defaults() {
+  auto& exchange = sbgc::tools::exchange();
+  const std::string name(exchange.input.begin(), exchange.input.end());
+  const sbgc::MessageType* const type = sbgc::find_message(name);
+  exchange.output = type == nullptr ? "" : sbgc::tools::new_message(*type).to_json();
+}
+
+/// Lists the names of all messages, one a line, '>' before those that are sent to the board.
+SBGC_EXPORT(names) void sbgc_names() {
+  std::string& names = sbgc::tools::exchange().output;
+  names.clear();
+  for (const sbgc::MessageType* const type : sbgc::message_types()) {
+    names += type->is_sent_to_board() ? ">" : "<";
+    names += type->info->name;
+    names += '\n';
+  }
 }

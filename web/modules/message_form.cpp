@@ -5,8 +5,8 @@
 #include <sbgc/text.hpp>
 
 #include "frames/json_string.hpp"
-#include "values/field_text.hpp"
 #include "modules/settable_text.hpp"
+#include "values/field_text.hpp"
 
 namespace sbgc::tools {
 

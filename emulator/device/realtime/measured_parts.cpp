@@ -13,11 +13,7 @@ namespace sbgc::emulator {
 
 namespace {
 
-/// How often something happened since the board has started.
-std::uint64_t count_of(double per_second, Instant started, Instant now) {
-  const double seconds = static_cast<double>((now - started).us) * 1e-6;
-  return static_cast<std::uint64_t>(std::llround(seconds * per_second));
-}
+std::uint64_t whole(double count) { return static_cast<std::uint64_t>(std::llround(count)); }
 
 }  // namespace
 
@@ -34,15 +30,28 @@ Duration MeasuredParts::reported_cycle() const {
   return options.faults.cycle == Duration{} ? cycle : options.faults.cycle;
 }
 
+MeasuredParts::FaultCounts MeasuredParts::fault_counts(Instant now) const {
+  const bool has_restarted = restarts.started() > counted_at;
+  const FaultCounts before = has_restarted ? FaultCounts{} : counted;
+  const Duration time = now - later(restarts.started(), counted_at);
+  const double seconds = static_cast<double>(time.us) * 1e-6;
+  return {before.i2c + seconds * options.faults.i2c_errors,
+          before.serial + seconds * options.faults.serial_errors};
+}
+
+void MeasuredParts::count_faults(Instant now) {
+  counted = fault_counts(now);
+  counted_at = now;
+}
+
 // The counters wrap.
 
 std::uint16_t MeasuredParts::i2c_errors(Instant now) const {
-  return static_cast<std::uint16_t>(count_of(options.faults.i2c_errors, restarts.started(), now));
+  return static_cast<std::uint16_t>(whole(fault_counts(now).i2c));
 }
 
 std::uint16_t MeasuredParts::serial_errors(std::size_t port, Instant now) const {
-  return static_cast<std::uint16_t>(
-      ports.errors(port) + count_of(options.faults.serial_errors, restarts.started(), now));
+  return static_cast<std::uint16_t>(ports.errors(port) + whole(fault_counts(now).serial));
 }
 
 double MeasuredParts::measured_battery(const Sample& sample) const {

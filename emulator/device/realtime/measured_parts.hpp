@@ -43,9 +43,19 @@ struct MeasuredParts {
   const ControlParts& control;
   const CalibrationParts& calibration;
 
+  /// Errors that faults of the board have caused.
+  struct FaultCounts {
+    double i2c = 0, serial = 0;
+  };
+  FaultCounts counted{};  ///< until `counted_at`, since when the faults are the present ones
+  Instant counted_at{};
+
   /// The time since the start, which wraps every 65.5 s.
   msg::MillisecondClock clock(Instant now) const;
   Duration reported_cycle() const;
+  /// Notes the errors so far; call before the faults change.
+  void count_faults(Instant now);
+  FaultCounts fault_counts(Instant now) const;
   std::uint16_t i2c_errors(Instant now) const;
   std::uint16_t serial_errors(std::size_t port, Instant now) const;
   /// The reading of the calibrated battery sensor in volts; 0 without a sensor.

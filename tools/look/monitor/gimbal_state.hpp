@@ -7,13 +7,11 @@
 #include <mutex>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include <sbgc/client/client.hpp>
-#include <sbgc/messages/realtime.hpp>
-#include <sbgc/meta/enums.hpp>
-#include <sbgc/types.hpp>
+
+#include "look/monitor/live_values.hpp"
 
 namespace sbgc::tools {
 
@@ -30,36 +28,6 @@ class History {
   static constexpr std::size_t most = 1000;
   std::deque<double> values_{};
 };
-
-/// One value of each axis: roll, pitch, yaw.
-using PerAxis = Axes<double>;
-
-/// The values of one message of live data, in their units. NaN is a value that the message lacks.
-struct LiveValues {
-  PerAxis angle{};        ///< of the camera, in degrees
-  PerAxis target{};       ///< in degrees
-  PerAxis frame_angle{};  ///< in degrees
-  PerAxis joint{};        ///< in degrees
-  PerAxis balance{};      ///< motor power lost to imbalance, in percent
-  PerAxis power{};        ///< of the motors, 0 to 1
-  PerAxis rate{};         ///< of the gyroscope, in deg/s
-  PerAxis vibration{};    ///< of the last seconds, as vibration_of() has it, in deg/s
-  double slowest_vibration{}, fastest_vibration{};  ///< its frequencies, in hertz
-  double battery{};                                 ///< in volts
-  double current{};                                 ///< in milliamperes
-  double temperature{};                             ///< of the main IMU, in degrees Celsius
-  double cycle_us{};
-  unsigned profile{};  ///< from 1
-  unsigned i2c_errors{};
-  unsigned serial_errors{};
-  bool motors_on{};
-  std::vector<const ValueInfo*> errors{};
-  std::string sub_error{};  ///< the reason of an emergency stop, or ""
-  std::string task{};       ///< a calibration that is running, or ""
-};
-
-/// The message that the values come from.
-using LiveMessage = std::variant<msg::RealtimeData3, msg::RealtimeData4>;
 
 struct LogEntry {
   std::chrono::system_clock::time_point time{};

@@ -91,6 +91,8 @@ class Board {
 
   /// Turns the power off and on.
   void restart(Instant now);
+  /// Applies other faults, and Gimbal::change(), from now on.
+  void change(const BoardFaults& faults, const Gimbal::Options& gimbal, Instant now);
   /// While silent, the board neither receives nor sends.
   void set_silent(bool is_silent);
 

@@ -73,6 +73,10 @@ class Emulator {
   /// Turns the power off and on.
   void restart(Instant now);
 
+  /// Applies from now on what these options say of the faults of board and line, and
+  /// Gimbal::change(). All others keep their values.
+  void change(const EmulatorOptions& options, Instant now);
+
   /// Like Board::memory_saved() and Board::memory_not_saved().
   void memory_saved(std::uint32_t revision, Instant now);
   void memory_not_saved(std::uint32_t revision, Instant now);

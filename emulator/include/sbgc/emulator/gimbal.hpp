@@ -154,6 +154,10 @@ class Gimbal {
   void restart(Instant now);
   /// Call when the parameters change; moves in progress continue.
   void tune(const Tuning& tuning, Instant now);
+  /// Applies from now on what these options say of the motion of the frame, battery, imbalance,
+  /// vibration, strain and drift. What the battery has given stays given; the frame moves at once
+  /// to where the new motion has it. Seed, noise and temperature stay as they are.
+  void change(const Options& options, Instant now);
   /// When the motors turn on, the targets start at the current camera angles; commands continue
   /// from there.
   void set_motors(bool on, Instant now);

@@ -83,6 +83,9 @@ class Line {
   /// Changes the settings of the board from now on.
   void set_board(const LineSettings& settings);
 
+  /// Replaces the faults, for bytes sent from now on.
+  void set_faults(const Faults& faults, Instant now);
+
   /// Takes bytes of the sender.
   void send(std::span<const std::uint8_t> bytes, Instant now);
   /// Free space in the sender's UART buffer. send() accepts more and queues it.

@@ -5,6 +5,9 @@
 #include <optional>
 #include <string_view>
 #include <system_error>
+#include <type_traits>
+
+#include <sbgc/internal/parse_real.hpp>
 
 namespace sbgc::detail {
 
@@ -13,7 +16,13 @@ template <class Number, class... Format>
 std::optional<Number> parse_number(std::string_view text, Format... format) {
   Number number{};
   const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, number, format...);
+  const auto [stop, error] = [&] {
+    if constexpr (std::is_same_v<Number, double> && sizeof...(format) == 0) {
+      return parse_real(text.data(), end, number);
+    } else {
+      return std::from_chars(text.data(), end, number, format...);
+    }
+  }();
   return error == std::errc{} && stop == end ? std::optional(number) : std::nullopt;
 }
 

@@ -1,0 +1,154 @@
+// The client of a gimbal, without line and clock: its owner passes it what arrives, and sends what it
+// returns.
+
+import type { Finding } from "./modules.js";
+import type { Axes, View } from "./worker_messages.js";
+import { bytesOf, hexOf, type Wasm } from "./wasm.js";
+
+/** What a request has led to. */
+export interface Reply {
+  /** `unconfirmed`: a confirmation was possible. `sent`: the protocol has none. */
+  kind: "answered" | "confirmed" | "unconfirmed" | "sent";
+  /** The frame of the answer or confirmation. */
+  frame: Uint8Array;
+}
+
+/** What the client reports by itself. */
+export interface Handlers {
+  identified?(text: string): void;
+  failed?(message: string): void;
+  noticed?(text: string): void;
+}
+
+/** One line of client_reports(). */
+interface ReportLine {
+  identity?: string;
+  failed?: string;
+  notice?: string;
+  errors?: string;
+  done?: number;
+  error?: string;
+  kind?: Reply["kind"];
+  frame?: string;
+  findings?: Finding[];
+}
+
+interface Waiting {
+  resolve(line: ReportLine): void;
+  reject(error: Error): void;
+}
+
+/** Numbers of the view in web/modules/client.hpp: a time, six axes, and five. */
+const viewNumbers = 1 + 6 * 3 + 5;
+
+/** Times are microseconds, and do not decrease. */
+export class Client {
+  readonly #wasm: Wasm;
+  readonly #handlers: Handlers;
+  readonly #waiting = new Map<number, Waiting>();
+  #lastId = 0;
+  #errors: string[] = [];
+
+  /** Asks the board for its identity, and then watches it. */
+  constructor(gimbal: Wasm, handlers: Handlers = {}) {
+    this.#wasm = gimbal;
+    this.#handlers = handlers;
+    this.#wasm.call("client_start");
+  }
+
+  /** Takes bytes of the line. */
+  receive(bytes: Uint8Array, now: number): void {
+    this.#wasm.bytes("client_receive", bytes, now);
+  }
+
+  /** Returns bytes to send; there are no others until written(). */
+  advance(now: number): Uint8Array {
+    const bytes = this.#wasm.bytes("client_advance", null, now).slice();
+    this.#report();
+    return bytes;
+  }
+
+  written(now: number): void {
+    this.#wasm.call("client_written", now);
+  }
+
+  /** When to call advance() at the latest. */
+  get deadline(): number {
+    return this.#wasm.call("client_deadline");
+  }
+
+  /** Carries out an action of web/modules/actions.hpp, such as "move pitch=-30". */
+  async act(action: string, now: number): Promise<void> {
+    await this.#begin((id) => this.#wasm.text("client_act", action, id, now));
+  }
+
+  /** Sends the request in a frame. */
+  async send(frame: Uint8Array): Promise<Reply> {
+    const line = await this.#begin((id) =>
+      new TextDecoder().decode(this.#wasm.bytes("client_send", frame, id)),
+    );
+    return { kind: line.kind ?? "sent", frame: bytesOf(line.frame ?? "") };
+  }
+
+  /** Measures the gimbal for five seconds, and judges it. */
+  async diagnose(): Promise<Finding[]> {
+    const line = await this.#begin((id) => {
+      this.#wasm.call("client_diagnose", id);
+      return "";
+    });
+    return line.findings ?? [];
+  }
+
+  /** The last state that the board has reported; null before. */
+  get view(): View | null {
+    const numbers = this.#wasm.numbers(this.#wasm.call("client_view"), viewNumbers);
+    const at = (index: number) => numbers[index] ?? NaN;
+    const axes = (index: number): Axes => [at(index), at(index + 1), at(index + 2)];
+    if (at(viewNumbers - 1) === 0) return null;
+    return {
+      seconds: at(0),
+      camera: axes(1),
+      targets: axes(4),
+      frame: axes(7),
+      joints: axes(10),
+      speeds: axes(13),
+      power: axes(16),
+      volts: at(19),
+      amperes: at(20),
+      motorsOn: at(21) !== 0,
+      profile: at(22),
+      errors: this.#errors,
+    };
+  }
+
+  #begin(start: (id: number) => string): Promise<ReportLine> {
+    const id = ++this.#lastId;
+    const problem = start(id);
+    if (problem !== "") return Promise.reject(new Error(problem));
+    return new Promise((resolve, reject) => this.#waiting.set(id, { resolve, reject }));
+  }
+
+  /** Ends everything that waits. */
+  close(reason: string): void {
+    for (const { reject } of this.#waiting.values()) reject(new Error(reason));
+    this.#waiting.clear();
+  }
+
+  #report(): void {
+    const lines = this.#wasm.text("client_reports", null);
+    if (lines === "") return;
+    for (const text of lines.trimEnd().split("\n")) this.#take(JSON.parse(text) as ReportLine);
+  }
+
+  #take(line: ReportLine): void {
+    if (line.identity !== undefined) this.#handlers.identified?.(line.identity);
+    if (line.failed !== undefined) this.#handlers.failed?.(line.failed);
+    if (line.notice !== undefined) this.#handlers.noticed?.(line.notice);
+    if (line.errors !== undefined) this.#errors = line.errors.split("\n").filter((name) => name);
+    if (line.done === undefined) return;
+    const waiting = this.#waiting.get(line.done);
+    this.#waiting.delete(line.done);
+    if (line.error === undefined) waiting?.resolve(line);
+    else waiting?.reject(new Error(line.error));
+  }
+}

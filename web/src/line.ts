@@ -1,0 +1,57 @@
+// The line between a client and an emulated board, in the time of its owner.
+
+import { Board } from "./board.js";
+import { Client, type Handlers } from "./client.js";
+import type { EmulatorOptions } from "./modules.js";
+import type { Wasm } from "./wasm.js";
+
+/** Called with the bytes of each direction, and their time in microseconds. */
+export type Observer = (from: "host" | "board", bytes: Uint8Array, now: number) => void;
+
+/** A client and a board, connected. */
+export class EmulatedGimbal {
+  readonly board: Board;
+  readonly client: Client;
+  readonly #observe: Observer | undefined;
+  #now = 0;
+
+  constructor(gimbal: Wasm, options: EmulatorOptions, handlers: Handlers = {}, observe?: Observer) {
+    this.board = new Board(gimbal, options, 0);
+    this.client = new Client(gimbal, handlers);
+    this.#observe = observe;
+  }
+
+  /** The time that it has reached, in microseconds since the board was turned on. */
+  get now(): number {
+    return this.#now;
+  }
+
+  /**
+   * Runs everything that is due until `until`, or `goesOn` returns false. Returns false in that case.
+   */
+  run(until: number, goesOn: () => boolean = () => true): boolean {
+    for (;;) {
+      this.#step();
+      // Within one microsecond, what each sends may make the other go on.
+      const next = Math.max(Math.min(this.client.deadline, this.board.next), this.#now + 1);
+      if (next > until) break;
+      if (!goesOn()) return false;
+      this.#now = next;
+    }
+    this.#now = Math.max(this.#now, Math.floor(until));
+    return true;
+  }
+
+  #step(): void {
+    const sent = this.client.advance(this.#now);
+    if (sent.length > 0) {
+      this.#observe?.("host", sent, this.#now);
+      this.board.receive(sent, this.#now);
+      this.client.written(this.#now);
+    }
+    const arrived = this.board.advance(this.#now);
+    if (arrived.length === 0) return;
+    this.#observe?.("board", arrived, this.#now);
+    this.client.receive(arrived, this.#now);
+  }
+}
