@@ -28,21 +28,14 @@ LICENSES = {
     "wasi-libc": "MIT",
 }
 LIBRARY = ("libasio-dev", "libfmt-dev", "libkissfft-dev", "nlohmann-json3-dev")
+WEB = ("libc++-dev-wasm32", "libfmt-dev", "libkissfft-dev", "nlohmann-json3-dev", "wasi-libc")
 PARTS = {
     r"sbgc_.*\.deb": (*LIBRARY, "libcli11-dev"),
     r"libsbgc-dev_.*\.deb": LIBRARY,
     r"python3-sbgc_.*\.deb": (*LIBRARY, "pybind11-dev"),
     r"sbgc-.*\.whl": (*LIBRARY, "pybind11-dev"),
-    r"sbgc-site-.*\.zip": (
-        "libc++-dev-wasm32",
-        "libfmt-dev",
-        "minisearch",
-        "nlohmann-json3-dev",
-        "preact",
-        "three",
-        "uplot",
-        "wasi-libc",
-    ),
+    r"sbgc-site-.*\.zip": (*WEB, "minisearch", "preact", "three", "uplot"),
+    r"sbgc-npm-.*\.tgz": WEB,
     r"sbgc-arduino-.*\.zip": (),
     r"sbgc-fuzz-seeds-.*\.zip": (),
     r"sbgc-.*\.tar\.gz": (),

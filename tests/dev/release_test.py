@@ -40,6 +40,7 @@ set -eu
 case $1 in
   package) echo package >"$2/sbgc_1_amd64.deb" ;;
   wheel) echo wheel >"$2/sbgc-1.whl" ;;
+  npm) mkdir -p "$2" && echo npm >"$2/sbgc-1.tgz" ;;
   docs)
     cd "$(dirname "$0")" # of the worktree of a tag
     mkdir -p build/site/assets build/site/inner

@@ -259,6 +259,7 @@ test("the log decodes frames as `sbgc decode` does, and leads to their pages", a
     await button(page, "Show the log").click();
     await motorsOn(page);
     await page.locator(".log details.host").first().waitFor();
+    await page.locator(".log details").nth(20).waitFor();
     await button(page, "Pause").click();
     const frames = await page.locator(".log details").evaluateAll((all) =>
       all.map((one) => ({

@@ -4,8 +4,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdio>
-#include <regex>
+#include <initializer_list>
+#include <optional>
 #include <sstream>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -123,39 +125,56 @@ std::string plain_number(std::string text) {
   return text;
 }
 
+/// Returns what stands between these parts of a text, of which the first begins it and the last
+/// ends it. What comes first has no spaces; the rest may contain the parts.
+std::optional<std::vector<std::string>> between(std::string_view text,
+                                                std::initializer_list<std::string_view> parts) {
+  std::vector<std::string_view> left(parts);
+  if (!text.starts_with(left.front()) || !text.ends_with(left.back())) return {};
+  text.remove_prefix(std::min(left.front().size(), text.size()));
+  text.remove_suffix(std::min(left.back().size(), text.size()));
+  const std::size_t end = left.size() > 2 ? text.find(left[1]) : text.size();
+  if (end == std::string_view::npos) return {};
+  std::vector<std::string> found{std::string(text.substr(0, end))};
+  if (found.front().empty() || found.front().find(' ') != std::string::npos) return {};
+  if (left.size() == 2) return found;
+  text.remove_prefix(end + left[1].size());
+  for (std::size_t i = left.size() - 2; i > 1; --i) {
+    const std::size_t at = text.rfind(left[i]);
+    if (at == std::string_view::npos) return {};
+    found.insert(found.begin() + 1, std::string(text.substr(at + left[i].size())));
+    text = text.substr(0, at);
+  }
+  found.insert(found.begin() + 1, std::string(text));
+  return found;
+}
+
 /// Puts a message of the parser of the command line into words: "NAME is missing", "--timeout must
 /// be from 0.001 to 86400", "--format must be text or json, not xml".
 std::string in_words(const CLI::App& command, const std::string& message) {
-  std::smatch found;
-  static const std::regex required(R"((\S+) is required)");
-  static const std::regex no_number(R"(Could not convert: (\S+) = (.*))");
-  static const std::regex missing(R"((\S+): \d+ required \S+ missing)");
-  static const std::regex range(R"((\S+): Value (.*) not in range (\S+) to (\S+))");
-  static const std::regex choice_of(R"((\S+): (.*) not in \{(.*)\})");
-  static const std::regex must(R"((\S+): (must .*))");
-  if (std::regex_match(message, found, required)) {
-    return shown_name(command, found[1]) + " is missing";
+  if (const auto found = between(message, {"", " is required"})) {
+    return shown_name(command, found->at(0)) + " is missing";
   }
-  if (std::regex_match(message, found, no_number)) {
-    return fmt::format("{} must be a number, not '{}'", shown_name(command, found[1]),
-                       found[2].str());
+  if (const auto found = between(message, {"Could not convert: ", " = ", ""})) {
+    return fmt::format("{} must be a number, not '{}'", shown_name(command, found->at(0)),
+                       found->at(1));
   }
-  if (std::regex_match(message, found, missing)) {
-    return shown_name(command, found[1]) + " needs a value";
+  if (const auto found = between(message, {"", ": ", " required ", " missing"})) {
+    return shown_name(command, found->at(0)) + " needs a value";
   }
-  if (std::regex_match(message, found, range)) {
-    return fmt::format("{} must be from {} to {}, not '{}'", shown_name(command, found[1]),
-                       plain_number(found[3]), plain_number(found[4]), found[2].str());
+  if (const auto found = between(message, {"", ": Value ", " not in range ", " to ", ""})) {
+    return fmt::format("{} must be from {} to {}, not '{}'", shown_name(command, found->at(0)),
+                       plain_number(found->at(2)), plain_number(found->at(3)), found->at(1));
   }
-  if (std::regex_match(message, found, choice_of)) {
+  if (const auto found = between(message, {"", ": ", " not in {", "}"})) {
     std::vector<std::string> words;
-    std::istringstream list(found[3].str());
+    std::istringstream list(found->at(2));
     for (std::string word; std::getline(list, word, ',');) words.push_back(word);
-    return fmt::format("{} must be {}, not '{}'", shown_name(command, found[1]),
-                       detail::alternatives(words, false), found[2].str());
+    return fmt::format("{} must be {}, not '{}'", shown_name(command, found->at(0)),
+                       detail::alternatives(words, false), found->at(1));
   }
-  if (std::regex_match(message, found, must)) {
-    return fmt::format("{} {}", shown_name(command, found[1]), found[2].str());
+  if (const auto found = between(message, {"", ": must ", ""})) {
+    return fmt::format("{} must {}", shown_name(command, found->at(0)), found->at(1));
   }
   return message;
 }

@@ -1,22 +1,27 @@
 // The messages of the protocol: encoding, decoding, and what they consist of.
 
-import type { Input, Requests } from "./types.js";
+import type { AllMessages, Input, Requests } from "./types.js";
 import { bytesOf, type Wasm } from "./wasm.js";
 
 export type Direction = "host" | "board";
 
-/** A frame, as `sbgc decode --format jsonl` prints it. */
-export interface Decoded {
+/** What is known of a frame, as `sbgc decode --format jsonl` prints it. */
+export interface FrameFacts {
   offset: number;
   command: string | null;
   id: number;
-  /** Of the message; null if none fits. */
-  message: string | null;
   direction: string | null;
-  fields?: Record<string, unknown>;
   error?: { code: string; [detail: string]: unknown };
   body?: string;
 }
+
+/** The values of a message, by its name. */
+export type DecodedMessage = {
+  [Name in keyof AllMessages]: { message: Name; fields: AllMessages[Name] };
+}[keyof AllMessages];
+
+/** A frame; `message` is null if none fits. */
+export type Decoded = FrameFacts & (DecodedMessage | { message: null; fields?: undefined });
 
 /** A frame with its values as people read them. */
 export interface DecodedRows {

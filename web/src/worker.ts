@@ -148,18 +148,21 @@ class Playground {
   }
 }
 
-Wasm.load(new URL("./gimbal.wasm", import.meta.url)).then(
-  (wasm) => {
-    const playground = new Playground(wasm, new URL("./messages.wasm", import.meta.url));
-    addEventListener("message", ({ data }: MessageEvent<Request>) => {
-      try {
-        playground.take(data);
-      } catch (error) {
-        const message = error instanceof Error ? error.message : String(error);
-        say("id" in data ? { kind: "done", id: data.id, error: message } : { kind: "failed", message });
-      }
+const playground = Wasm.load(new URL("./gimbal.wasm", import.meta.url)).then(
+  (wasm) => new Playground(wasm, new URL("./messages.wasm", import.meta.url)),
+);
+
+// At once: what a worker does not listen to when it arrives is lost.
+addEventListener("message", ({ data }: MessageEvent<Request>) => {
+  playground
+    .then((ready) => ready.take(data))
+    .catch((error: unknown) => {
+      const message = error instanceof Error ? error.message : String(error);
+      say("id" in data ? { kind: "done", id: data.id, error: message } : { kind: "failed", message });
     });
-    say({ kind: "ready" });
-  },
+});
+
+playground.then(
+  () => say({ kind: "ready" }),
   (error: unknown) => say({ kind: "failed", message: String(error) }),
 );

@@ -31,6 +31,12 @@ export type Input<T> = T extends Named<infer Name>
     : T extends object
       ? { readonly [Key in keyof T]?: Input<T[Key]> }
       : T;
+
+/** An answer: its message, and the values. */
+export interface Answer<Name extends keyof AllMessages> {
+  message: Name;
+  fields: AllMessages[Name];
+}
 """
 
 
@@ -79,6 +85,15 @@ def _lines(layout: Layout) -> Iterator[str]:
             if message.direction in directions or message.in_both_directions:
                 yield f"  {message.name}: {message.name};"
         yield "}\n"
+    yield from _doc("The messages that answer a request; null for a confirmation, or none.")
+    yield "export interface Answers {"
+    for message in messages.values():
+        if message.answer is not None:
+            answers = [f"Answer<{json.dumps(name)}>" for name in message.answer.messages]
+            if not message.answer.is_certain:
+                answers.append("null")
+            yield f"  {message.name}: {' | '.join(answers)};"
+    yield "}\n"
 
 
 def _collect(fields: Iterable[Field], structs: dict[str, Struct], names: dict[str, _Names]) -> None:
