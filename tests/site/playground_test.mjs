@@ -261,7 +261,10 @@ test("the log decodes frames as `sbgc decode` does, and leads to their pages", a
     await page.locator(".log details.host").first().waitFor();
     await page.locator(".log details").nth(20).waitFor();
     await button(page, "Pause").click();
-    const frames = await page.locator(".log details").evaluateAll((all) =>
+    const entries = page.locator(".log details");
+    await entries.evaluateAll((all) => all.forEach((one) => (one.open = true)));
+    await page.locator(".log details:last-child pre").waitFor();
+    const frames = await entries.evaluateAll((all) =>
       all.map((one) => ({
         from: one.classList.contains("host") ? "host" : "board",
         message: one.querySelector("b").textContent,
@@ -373,13 +376,13 @@ test("minutes of play, with the log, take no more memory than the first", async 
     await page.getByLabel("Hand-held").check();
     await button(page, "Show the log").click();
     await hurry(page);
-    const seconds = async () => Number(/([\d.]+) s\b/.exec(await page.locator(".board").innerText())[1]);
+    const seconds = async () => Number(/([\d.]+) s\b/.exec(await page.locator(".status .board").innerText())[1]);
     await page.waitForTimeout(10_000);
     const [first, from] = [await used(), await seconds()];
     await page.waitForTimeout(20_000);
     const [last, to] = [await used(), await seconds()];
     assert.ok(to - from > 60, `${to - from} s`);
-    assert.ok(last.usedSize < first.usedSize * 1.15 + 1e6, `${first.usedSize} to ${last.usedSize} bytes`);
+    assert.ok(last.usedSize < first.usedSize * 1.15 + 2e6, `${first.usedSize} to ${last.usedSize} bytes`);
     assert.ok(last.elements < first.elements * 1.1, `${first.elements} to ${last.elements} elements`);
   });
 });
