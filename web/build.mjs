@@ -18,6 +18,7 @@ const options = {
   minify: true,
   format: "esm",
   target: "es2022",
+  external: ["node:*"], // for the same modules in Node
   // The notices of the packages are in licenses.txt.
   legalComments: "none",
   banner: { js: "/* Licenses of the packages: licenses.txt */" },

@@ -1,6 +1,7 @@
 // The location of the site, and a browser for the tests.
 
 import fs from "node:fs";
+import http from "node:http";
 import { createRequire } from "node:module";
 import path from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
@@ -70,7 +71,7 @@ export async function searchOfSite() {
 }
 
 /** Launches the Chromium in CHROMIUM, Debian's headless one, or another. */
-export async function launch() {
+export async function launch(args = []) {
   const { chromium } = await import("playwright-core");
   const programs = ["chromium-headless-shell", "chromium", "chromium-browser"];
   const paths = [process.env.CHROMIUM, ...programs.map((name) => `/usr/bin/${name}`)];
@@ -78,7 +79,21 @@ export async function launch() {
   if (executablePath === undefined) throw new Error("no browser: package chromium-headless-shell");
   // Without its sandbox, which is unavailable to root and in many containers. It opens only our own
   // pages.
-  return chromium.launch({ executablePath, chromiumSandbox: false });
+  return chromium.launch({ executablePath, chromiumSandbox: false, args });
+}
+
+/** Serves the site; `address` is where, and `close` ends it. */
+export async function serve() {
+  const types = { html: "text/html", js: "text/javascript", css: "text/css", wasm: "application/wasm", svg: "image/svg+xml" };
+  const server = http.createServer((request, response) => {
+    const name = decodeURIComponent(new URL(request.url, "http://site").pathname);
+    fs.readFile(path.join(site, path.normalize(name)), (error, content) => {
+      const type = types[path.extname(name).slice(1)] ?? "application/octet-stream";
+      response.writeHead(error ? 404 : 200, { "content-type": type }).end(content);
+    });
+  });
+  await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
+  return { address: `http://127.0.0.1:${server.address().port}/`, close: () => server.closeAllConnections() ?? server.close() };
 }
 
 /** Calls `work(page, item)` for each item, in one page: pages side by side take more processor time. */

@@ -40,7 +40,6 @@ export function App({ session }: { session: Session }) {
   const [values, setValues] = useState(first);
   const [refused, setRefused] = useState(refusal);
   const [language, setLanguage] = useState<Language>("command");
-  const [isReady, setReady] = useState(false);
   const [identity, setIdentity] = useState("");
   const [failure, setFailure] = useState("");
   const [notice, setNotice] = useState("");
@@ -51,12 +50,11 @@ export function App({ session }: { session: Session }) {
 
   useEffect(() => {
     const end = session.listen((report) => {
-      if (report.kind === "ready") setReady(true);
+      if (report.kind === "ready") session.start(optionsOf(emulationOf(first)));
       if (report.kind === "identity") setIdentity(report.text);
       if (report.kind === "failed") setFailure(report.message);
       if (report.kind === "notice") setNotice(report.text);
     });
-    session.start(optionsOf(emulationOf(first)));
     return end;
   }, [session]);
 
@@ -99,13 +97,13 @@ export function App({ session }: { session: Session }) {
   }, [session]);
 
   const restart = (): void => {
-    setReady(false);
+    setIdentity("");
     setOutcome({ text: "", isBad: false });
     setNotice("");
     session.start(optionsOf(emulationOf(values)));
     session.pace(pace);
   };
-  const desk: Desk = { language, isReady, run: (action, label) => void run(action, label) };
+  const desk: Desk = { language, isReady: identity !== "", run: (action, label) => void run(action, label) };
   return (
     <SessionProvider value={session}>
       <DeskProvider value={desk}>

@@ -11,9 +11,9 @@ import { onThemeChange } from "./theme.js";
 
 const perSecond = 20;
 const kinds = [
-  { key: "angles", title: "Angles of the camera, targets dashed", unit: "°" },
+  { key: "angles", title: "Angles of the camera, targets dashed", unit: "°", hasTargets: true },
   { key: "speeds", title: "Speeds of the camera: how it vibrates", unit: "°/s" },
-  { key: "power", title: "Powers of the motors", unit: " %" },
+  { key: "power", title: "Powers of the motors", unit: " %", hasZero: true },
 ] as const;
 
 export function Charts() {
@@ -45,7 +45,7 @@ export function Charts() {
         const { createPlot } = await import("./plot.js");
         if (isEnded) return;
         for (const plot of plots) plot.end();
-        plots = boxes.map((box, n) => createPlot(box, kinds[n]?.unit ?? "", n === 0));
+        plots = boxes.map((box, n) => createPlot(box, kinds[n] ?? { unit: "" }));
         draw();
       } catch (error) {
         setProblem(`The charts could not be loaded: ${String(error)}`);

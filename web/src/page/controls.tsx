@@ -37,9 +37,11 @@ export function MovePanel({ values, set }: PanelProps) {
   const follow = (change: Partial<Values>): void => {
     set(change);
     if (!isReady || !session.view?.motorsOn || timer.current) return;
+    const { asked } = session;
     timer.current = window.setTimeout(() => {
       timer.current = 0;
-      run(moveTo(targetsOf(newest.current), newest.current.speed), "Move");
+      // What the visitor has asked for in the meantime is newer.
+      if (session.asked === asked) run(moveTo(targetsOf(newest.current), newest.current.speed), "Move");
     }, pause);
   };
   return (

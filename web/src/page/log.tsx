@@ -6,7 +6,7 @@ import type { LoggedFrame } from "../worker_messages.js";
 import { fixed } from "./axes.js";
 import { useSession } from "./session.js";
 
-const most = 500;
+const most = 200;
 const shown = 60;
 const interval = 250; // ms
 
@@ -15,42 +15,60 @@ const pages: Record<string, string> = JSON.parse(
   document.getElementById("message-pages")?.textContent ?? "{}",
 );
 
-const keyOf = (frame: LoggedFrame): string => `${frame.from} ${frame.message || frame.command}`;
+const nameOf = (frame: LoggedFrame): string => frame.message || frame.command;
+const keyOf = (frame: LoggedFrame): string => `${frame.from} ${nameOf(frame)}`;
 
-/** A frame with its fields behind a summary. */
+/** As many fields as may fit into a line. */
+const briefOf = ({ fields }: LoggedFrame): string =>
+  fields
+    .slice(0, 6)
+    .map(([path, value]) => `${path} ${value}`)
+    .join(", ");
+
+/** A frame with its fields behind a summary, which are made when somebody wants them. */
 export function FrameEntry({ frame, isOpen }: { frame: LoggedFrame; isOpen?: boolean }) {
-  const page = Object.hasOwn(pages, frame.message) ? pages[frame.message] : undefined;
-  const name = frame.message || frame.command;
+  const [hasBody, setBody] = useState(isOpen ?? false);
   return (
-    <details class={`frame ${frame.from}`} open={isOpen ?? false}>
+    <details
+      class={`frame ${frame.from}`}
+      open={isOpen ?? false}
+      onToggle={(event) => setBody(event.currentTarget.open)}
+    >
       <summary>
         <span class="time">{fixed(frame.seconds, 3)}</span>
         <span class="from">{frame.from === "host" ? "to board" : "from board"}</span>
-        <b>{name}</b>
+        <b>{nameOf(frame)}</b>
         <span class="brief">
-          {frame.problem || frame.fields.map(([path, value]) => `${path} ${value}`).join(", ")}
+          {frame.problem || briefOf(frame)}
         </span>
       </summary>
-      <div>
-        {page && (
-          <p>
-            <a href={page}>{frame.message}</a> <span class="muted">{frame.command}</span>
-          </p>
-        )}
-        <pre tabIndex={0} aria-label={`Bytes of ${name}`}>
-          {frame.hex.match(/../g)?.join(" ").toUpperCase()}
-        </pre>
-        {frame.problem && <p class="bad">{frame.problem}</p>}
-        <dl>
-          {frame.fields.map(([path, value]) => (
-            <div key={path}>
-              <dt>{path}</dt>
-              <dd>{value}</dd>
-            </div>
-          ))}
-        </dl>
-      </div>
+      {hasBody && <FrameBody frame={frame} />}
     </details>
+  );
+}
+
+function FrameBody({ frame }: { frame: LoggedFrame }) {
+  const page = Object.hasOwn(pages, frame.message) ? pages[frame.message] : undefined;
+  return (
+    <div>
+      {page && (
+        <p>
+          <a href={page}>{frame.message}</a> <span class="muted">{frame.command}</span>
+        </p>
+      )}
+      <pre tabIndex={0} role="group" aria-label={`Bytes of ${nameOf(frame)}`}>
+        {frame.hex.match(/../g)?.join(" ").toUpperCase()}
+      </pre>
+      {frame.problem && <p class="bad">{frame.problem}</p>}
+      <dl>
+        {frame.fields.map(([path, value]) => (
+          <div key={path}>
+            <dt>{path}</dt>
+            <dd>{value}</dd>
+          </div>
+        ))}
+      </dl>
+    </div>
   );
 }
 

@@ -16,8 +16,17 @@ const height = 150;
 /** The least height of the vertical scale, so that noise at rest is not blown up. */
 const leastSpan = 2;
 
-/** Three axes; six columns if there are targets, which are dashed. */
-export function createPlot(place: HTMLElement, unit: string, hasTargets: boolean): Plot {
+export interface PlotOptions {
+  unit: string;
+  /** Three more columns, which are dashed. */
+  hasTargets?: boolean;
+  /** The vertical scale begins at 0. */
+  hasZero?: boolean;
+}
+
+/** Columns for three axes. */
+export function createPlot(place: HTMLElement, options: PlotOptions): Plot {
+  const { unit, hasTargets, hasZero } = options;
   const color = colorsOf(place);
   const line = (n: number, dash: number[]): uPlot.Series => ({
     stroke: color(colors[n % 3] ?? "--text"),
@@ -33,7 +42,7 @@ export function createPlot(place: HTMLElement, unit: string, hasTargets: boolean
   };
   const range = (_: uPlot, low: number, high: number): [number, number] => {
     const margin = Math.max((leastSpan - (high - low)) / 2, (high - low) * 0.08);
-    return [low - margin, high + margin];
+    return hasZero ? [0, Math.max(high, leastSpan) + margin] : [low - margin, high + margin];
   };
   const plot = new uPlot(
     {

@@ -54,6 +54,11 @@ export class Session {
     });
   }
 
+  /** How many questions there were. */
+  get asked(): number {
+    return this.#last;
+  }
+
   /** Returns a function that ends it. */
   listen(listener: (report: Report) => void): () => void {
     this.#listeners.add(listener);

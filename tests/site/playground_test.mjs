@@ -1,0 +1,390 @@
+// Tests of the playground in Chromium, with software WebGL, from a server of its own.
+
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import fs from "node:fs";
+import { createRequire } from "node:module";
+import path from "node:path";
+import { after, before, test } from "node:test";
+import zlib from "node:zlib";
+
+import { addressOf, launch, root, sbgc, serve, site } from "./support.mjs";
+
+let browser;
+let server;
+before(async () => {
+  browser = await launch(["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--js-flags=--expose-gc"]);
+  server = await serve();
+});
+after(async () => {
+  await browser.close();
+  server.close();
+});
+
+/** Records what the page tells its worker. */
+const spy = () => {
+  globalThis.told = [];
+  const post = Worker.prototype.postMessage;
+  Worker.prototype.postMessage = function (message) {
+    globalThis.told.push(message);
+    return post.call(this, message);
+  };
+};
+
+/** Opens the playground, runs `work(page)`, and fails if the browser has complained. */
+async function play(work, { hash = "", look = {}, prepare } = {}) {
+  const context = await browser.newContext({ reducedMotion: "reduce", ...look });
+  const page = await context.newPage();
+  const problems = [];
+  // Software WebGL reports that reading pixels is slow.
+  const isOurs = (message) => ["error", "warning"].includes(message.type()) && !message.text().includes("GL Driver");
+  page.on("console", (message) => isOurs(message) && problems.push(message.text()));
+  page.on("pageerror", (error) => problems.push(String(error)));
+  await page.addInitScript(spy);
+  if (prepare) await page.addInitScript(prepare);
+  try {
+    await page.goto(`${server.address}playground.html${hash}`);
+    await button(page, "Motors off").and(page.locator(":enabled")).waitFor();
+    await work(page);
+    assert.deepEqual(problems, []);
+  } finally {
+    await context.close();
+  }
+}
+
+const button = (page, name) => page.getByRole("button", { name, exact: true });
+const outcome = (page, text) => page.locator(".outcome", { hasText: text }).waitFor();
+const told = (page, kind) => page.evaluate((one) => globalThis.told.filter((m) => m.kind === one), kind);
+const axisOfScene = (page) => page.evaluate(() => globalThis.sbgcPlayground.opticalAxis());
+
+async function motorsOn(page) {
+  await button(page, "Motors on").click();
+  await outcome(page, "Motors on: done");
+}
+
+/** Makes time pass quickly. */
+const hurry = (page) => page.locator(".pace select").selectOption("16");
+
+async function findings(page) {
+  await button(page, "Examine").click();
+  await button(page, "Measuring…").waitFor();
+  await button(page, "Examine").waitFor({ timeout: 60_000 });
+  const found = page.locator("[data-finding]");
+  return found.evaluateAll((all) => all.map((one) => one.dataset.finding));
+}
+
+test("a move to 30 degrees down and 40 right is where the lens of the scene points", async () => {
+  await play(async (page) => {
+    await motorsOn(page);
+    await page.getByLabel("Yaw", { exact: true }).first().fill("40");
+    await page.getByLabel("Pitch", { exact: true }).first().fill("30");
+    await button(page, "Move").click();
+    await outcome(page, "Move: done");
+    await page.waitForFunction(() => globalThis.sbgcPlayground.opticalAxis());
+    await page.waitForTimeout(300); // for the next view
+    const [right, up, forward] = await axisOfScene(page);
+    const degrees = (radians) => (radians * 180) / Math.PI;
+    assert.ok(Math.abs(degrees(Math.asin(-up)) - 30) < 0.5, `${degrees(Math.asin(-up))} down`);
+    assert.ok(Math.abs(degrees(Math.atan2(right, forward)) - 40) < 0.5, "to the right");
+    assert.match(await page.locator(".numbers").textContent(), /30\.\d° down/);
+  });
+});
+
+test("the camera stays where it is while the frame moves", async () => {
+  await play(async (page) => {
+    await motorsOn(page);
+    await page.getByLabel("Vehicle").check();
+    const seen = await page.evaluate(async () => {
+      const all = [];
+      for (let n = 0; n < 60; ++n) {
+        await new Promise((resolve) => setTimeout(resolve, 50));
+        const cells = [...document.querySelectorAll(".numbers tbody tr:nth-child(2) td")];
+        all.push([0, 2].map((cell) => parseFloat(cells[cell].textContent)));
+      }
+      return all;
+    });
+    const most = (column) => Math.max(...seen.map((row) => row[column]));
+    assert.ok(most(1) > 1, `the frame: ${most(1)}`);
+    assert.ok(most(0) < most(1) / 3, `the camera: ${most(0)}`);
+  });
+});
+
+test("the doctor names each fault that is switched on, and no other", async () => {
+  const expected = {
+    "Low battery": "battery",
+    Imbalance: "balance",
+    "Blocked motor": "motor-power",
+    Resonance: "vibration",
+    "Gyroscope drifts": "attitude",
+    "Errors of the I2C bus": "i2c",
+    "Errors the board counts": "line",
+    "Slow controller": "cycle-time",
+    "No motion sensor": "ERR_NO_SENSOR",
+    "Missed steps": "ERR_MISS_STEPS",
+    "Emergency stop": "ERR_EMERGENCY_STOP",
+    "Bits flip": "line",
+    "Bytes are lost": "line",
+    "Bytes double": "line",
+  };
+  await play(async (page) => {
+    const switches = await page.locator(".fault label").allTextContents();
+    for (const label of [null, ...Object.keys(expected)]) {
+      const box = page.getByLabel(label ?? "", { exact: true });
+      if (label) await box.check();
+      await page.waitForTimeout(300); // the page waits for more changes
+      await button(page, "New board").click();
+      await button(page, "Motors on").and(page.locator(":enabled")).waitFor();
+      await hurry(page);
+      await button(page, "Motors on").click();
+      await page.waitForTimeout(200);
+      assert.deepEqual(await findings(page), label ? [expected[label]] : [], label ?? "no fault");
+      if (label) await box.uncheck();
+    }
+    // Late bytes damage nothing.
+    assert.deepEqual(switches.filter((one) => !expected[one]), ["Bytes are late"]);
+  });
+});
+
+test("with the keyboard alone, a gimbal turns and Escape stops it", async () => {
+  await play(async (page) => {
+    const focusOn = async (name) => {
+      for (let n = 0; n < 200; ++n) {
+        await page.keyboard.press("Tab");
+        const label = await page.evaluate(() => {
+          const one = document.activeElement;
+          return one?.getAttribute("aria-label") ?? one?.textContent;
+        });
+        if (label !== name) continue;
+        const { outlineStyle } = await page.evaluate(() => ({ outlineStyle: getComputedStyle(document.activeElement).outlineStyle }));
+        assert.notEqual(outlineStyle, "none", `${name}: the focus is visible`);
+        return;
+      }
+      assert.fail(`${name} cannot be reached`);
+    };
+    await focusOn("Motors on");
+    await page.keyboard.press("Enter");
+    await outcome(page, "Motors on: done");
+    await focusOn("Yaw, slider");
+    for (let n = 0; n < 5; ++n) await page.keyboard.press("ArrowRight");
+    await outcome(page, "Move");
+    await focusOn("Turn");
+    await page.keyboard.press("Space");
+    await page.waitForTimeout(500);
+    await page.keyboard.press("Escape");
+    await outcome(page, "Stop: done");
+    const actions = (await told(page, "act")).map(({ action }) => action.split(" ")[0]);
+    assert.equal(actions[0], "motors");
+    assert.ok(actions.includes("move"), "a slider takes the camera along");
+    assert.deepEqual(actions.slice(-2), ["turn", "stop"]);
+  });
+});
+
+for (const colorScheme of ["light", "dark"]) {
+  for (const width of [390, 768, 1280]) {
+    test(`axe-core has nothing to say: ${colorScheme}, ${width} pixels; all fits`, async () => {
+      const look = { colorScheme, viewport: { width, height: 900 }, bypassCSP: true };
+      await play(async (page) => {
+        await motorsOn(page);
+        await page.getByLabel("Resonance").check();
+        await page.getByLabel("Bits flip").check();
+        await button(page, "Show the log").click();
+        await page.locator(".log details").first().waitFor();
+        await button(page, "Pause").click();
+        await page.locator(".log summary").first().click();
+        await page.addScriptTag({ path: createRequire(import.meta.url).resolve("axe-core/axe.min.js") });
+        const { violations } = await page.evaluate(() => globalThis.axe.run());
+        const where = violations.map(({ id, nodes }) => `${id}: ${nodes[0].target} ${nodes[0].html}`);
+        assert.deepEqual(where, []);
+        assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width);
+      }, { look });
+    });
+  }
+}
+
+test("a bad link is refused in words, and nothing of it is used", async () => {
+  for (const [hash, words] of [
+    ["#pitch=999", "from -90 to 90"],
+    ["#yaw=20&pitch=1e1", "from -90 to 90"],
+    ["#yaw=20&faults=imu,none", "no such fault"],
+    ["#yaw=20&faults=resonance=37Hz:2:left", "no such fault"],
+    ["#yaw=20&motion=boat", "rest, handheld, drone, vehicle"],
+    ["#yaw=20&send=3e5", "in hex"],
+    ["#yaw=20&yaw=30", "twice"],
+    ["#yaw=20&__proto__=1", "no such value"],
+    [`#yaw=20&send=${"00".repeat(3000)}`, "longer than"],
+    ["#yaw=20&<img src=x onerror=alert(1)>", "no such value"],
+  ]) {
+    await play(async (page) => {
+      const said = await page.getByRole("alert").textContent();
+      assert.ok(said.includes(words), `${hash.slice(0, 40)}: ${said}`);
+      assert.equal(await page.getByLabel("Yaw", { exact: true }).first().inputValue(), "0");
+    }, { hash });
+  }
+});
+
+test("opening a link fills in its values and sends nothing", async () => {
+  const frame = "3e56005600"; // a request for CMD_BOARD_INFO
+  await play(async (page) => {
+    assert.equal(await page.getByLabel("Pitch", { exact: true }).first().inputValue(), "-12.5");
+    assert.ok(await page.getByLabel("Drone").isChecked());
+    assert.ok(await page.getByLabel("No motion sensor").isChecked());
+    const [{ options }] = await told(page, "start");
+    assert.deepEqual(options.faults, ["resonance=50Hz:1:roll", "imu"]);
+    await page.locator(".trial summary", { hasText: "BoardInfoRequest" }).waitFor();
+    assert.deepEqual([...(await told(page, "act")), ...(await told(page, "send"))], []);
+    await button(page, "Send").click();
+    await page.locator(".trial summary", { hasText: /BoardInfo(?!Request)/ }).waitFor();
+    const link = page.locator(".trial a", { hasText: /^BoardInfo$/ });
+    assert.ok(fs.existsSync(path.join(site, await link.getAttribute("href"))));
+    await button(page, "Link to these values").click();
+    await page.locator(".share [role=status]", { hasText: "link" }).waitFor();
+    assert.match(page.url(), /#pitch=-12.5&.*motion=drone.*&send=3e56005600$/);
+  }, { hash: `#pitch=-12.5&motion=drone&faults=imu,resonance=50Hz:1:roll&send=${frame}` });
+});
+
+test("a message page leads to the playground with the values of its form, unless one is a secret", async () => {
+  const page = await browser.newPage();
+  await page.goto(`${addressOf("messages/control.html")}`);
+  await page.locator("#builder summary").click();
+  const href = await page.locator(".built-trial").getAttribute("href");
+  assert.match(href, /playground\.html#send=3e43[0-9a-f]+$/);
+  await page.goto(addressOf("messages/pass-protect-write.html"));
+  await page.locator("#builder summary").click();
+  await page.locator("[id='build-new_password']").fill("secret");
+  await page.locator(".built-command", { hasText: "new_password=@FILE" }).waitFor();
+  assert.equal(await page.locator(".built-trial").count(), 0);
+  await page.close();
+});
+
+test("the log decodes frames as `sbgc decode` does, and leads to their pages", async () => {
+  await play(async (page) => {
+    await button(page, "Show the log").click();
+    await motorsOn(page);
+    await page.locator(".log details.host").first().waitFor();
+    await page.locator(".log details").nth(20).waitFor();
+    await button(page, "Pause").click();
+    const entries = page.locator(".log details");
+    await entries.evaluateAll((all) => all.forEach((one) => (one.open = true)));
+    await page.locator(".log details:last-child pre").waitFor();
+    const frames = await entries.evaluateAll((all) =>
+      all.map((one) => ({
+        from: one.classList.contains("host") ? "host" : "board",
+        message: one.querySelector("b").textContent,
+        hex: one.querySelector("pre").textContent.trim(),
+        page: one.querySelector("a")?.getAttribute("href"),
+      })),
+    );
+    assert.ok(frames.length > 10);
+    for (const from of ["host", "board"]) {
+      const sent = frames.filter((one) => one.from === from);
+      const input = sent.map(({ hex }) => hex).join("\n");
+      const { stdout } = spawnSync(sbgc, ["decode", "--hex", "--format", "jsonl", "--from", from], { input });
+      const decoded = stdout.toString().trim().split("\n").map((line) => JSON.parse(line).message);
+      assert.deepEqual(sent.map(({ message }) => message), decoded);
+      for (const one of sent) assert.ok(fs.existsSync(path.join(site, one.page)), one.message);
+    }
+  });
+});
+
+test("the lines of C++ compile, and those of the command are known to it", async () => {
+  await play(async (page) => {
+    const lines = () => page.locator(".line code").allTextContents();
+    const commands = (await lines()).filter((one) => !/^sbgc (emulate|doctor)/.test(one));
+    for (const command of commands) {
+      const { stderr } = spawnSync("bash", ["-c", `${command.replace(/^sbgc/, `'${sbgc}'`)} -p /nowhere`]);
+      // It fails when it asks or opens the port, not before.
+      assert.match(stderr.toString(), /no port|no terminal/, command);
+    }
+    await page.getByLabel("C++").check();
+    const functions = (await lines()).map((text, n) => `sbgc::Result<void> f${n}(sbgc::Client& client) {\n${text}\nreturn {};\n}`);
+    assert.ok(functions.length > 6);
+    const headers = ["client/client", "client/motion", "client/speed_control", "doctor/findings", "doctor/measure", "messages/control"];
+    const program = [...headers.map((one) => `#include <sbgc/${one}.hpp>`), "#include <chrono>\n#include <cstdio>\n#include <thread>",
+      "using namespace sbgc::literals;\nusing namespace std::chrono_literals;", ...functions].join("\n");
+    const folders = ["core", "session", "tasks", "any", "io", "client", "analysis", "doctor"].map((one) => `-I${path.join(root, "runtime", one, "include")}`);
+    const made = spawnSync("g++", ["-std=c++20", "-fsyntax-only", "-Wall", `-I${path.join(root, "generated/include")}`, ...folders, "-x", "c++", "-"], { input: program });
+    assert.equal(made.stderr.toString(), "");
+  });
+});
+
+test("without WebGL there are numbers, charts and the horizon", async () => {
+  const prepare = () => {
+    const get = HTMLCanvasElement.prototype.getContext;
+    HTMLCanvasElement.prototype.getContext = function (kind, ...rest) {
+      return kind.startsWith("webgl") ? null : get.call(this, kind, ...rest);
+    };
+  };
+  await play(async (page) => {
+    await page.locator(".gimbal-view", { hasText: "no WebGL" }).waitFor();
+    await motorsOn(page);
+    await button(page, "Move").click();
+    await page.locator(".numbers", { hasText: /30\.\d° down/ }).waitFor();
+    await page.locator(".horizons canvas[aria-label*='down']").first().waitFor();
+    await page.locator(".charts canvas").first().waitFor();
+    const loaded = await page.evaluate(() => performance.getEntriesByType("resource").map(({ name }) => name));
+    assert.deepEqual(loaded.filter((name) => name.includes("view3d")), []);
+  }, { prepare });
+});
+
+test("without JavaScript, and from a file, the page says what it needs", async () => {
+  const without = await browser.newPage({ javaScriptEnabled: false });
+  await without.goto(`${server.address}playground.html`);
+  assert.match(await without.locator("noscript").textContent(), /sbgc emulate/);
+  await without.close();
+  const page = await browser.newPage();
+  const problems = [];
+  page.on("console", (message) => problems.push(message.text()));
+  await page.goto(addressOf("playground.html"));
+  assert.match(await page.locator("main").innerText(), /only from a server.*python3 -m http\.server/s);
+  assert.deepEqual(problems, []);
+  await page.close();
+});
+
+test("it is usable without a network, once it was open", async () => {
+  const context = await browser.newContext();
+  const page = await context.newPage();
+  await page.goto(`${server.address}playground.html`);
+  await page.evaluate(async () => (await navigator.serviceWorker.ready).active.state);
+  await context.setOffline(true);
+  await page.reload();
+  await button(page, "Motors on").and(page.locator(":enabled")).click();
+  await outcome(page, "Motors on: done");
+  await page.waitForFunction(() => globalThis.sbgcPlayground.opticalAxis());
+  await context.close();
+});
+
+test("it is light: what comes first, and all of it", () => {
+  const sizes = Object.fromEntries(
+    fs.readdirSync(path.join(site, "assets/playground")).map((name) => [
+      name.replace(/-[A-Z0-9]{8}/, ""),
+      zlib.gzipSync(fs.readFileSync(path.join(site, "assets/playground", name)), { level: 9 }).length,
+    ]),
+  );
+  const sum = (names) => names.reduce((total, name) => total + sizes[name], 0);
+  assert.ok(sum(["main.js"]) < 30_000, JSON.stringify(sizes));
+  assert.ok(sum(["main.js", "worker.js", "plot.js", "gimbal.wasm"]) < 330_000, JSON.stringify(sizes));
+  assert.ok(sum(Object.keys(sizes)) < 1_500_000, JSON.stringify(sizes));
+});
+
+test("minutes of play, with the log, take no more memory than the first", async () => {
+  await play(async (page) => {
+    const session = await page.context().newCDPSession(page);
+    const used = async () => {
+      await session.send("HeapProfiler.collectGarbage");
+      const { usedSize } = await session.send("Runtime.getHeapUsage");
+      return { usedSize, elements: await page.evaluate(() => document.querySelectorAll("*").length) };
+    };
+    await motorsOn(page);
+    await page.getByLabel("Hand-held").check();
+    await button(page, "Show the log").click();
+    await hurry(page);
+    const seconds = async () => Number(/([\d.]+) s\b/.exec(await page.locator(".status .board").innerText())[1]);
+    await page.waitForTimeout(10_000);
+    const [first, from] = [await used(), await seconds()];
+    await page.waitForTimeout(20_000);
+    const [last, to] = [await used(), await seconds()];
+    assert.ok(to - from > 60, `${to - from} s`);
+    assert.ok(last.usedSize < first.usedSize * 1.15 + 2e6, `${first.usedSize} to ${last.usedSize} bytes`);
+    assert.ok(last.elements < first.elements * 1.1, `${first.elements} to ${last.elements} elements`);
+  });
+});
