@@ -21,7 +21,7 @@ from sbgc.msg import OtherFlags, RealtimeData4
 from sbgc.parameters import Profile
 
 INTERVAL = 0.05  # seconds between samples, and between repetitions for an axis that follows
-PACE = 0.02  # a board takes 50 commands a second
+PACE = 0.018  # a board takes 50 commands a second; a few more let what was late catch up
 STALE, LOST = 0.5, 2.0  # seconds without a sample
 AGAIN = 2.0
 
@@ -38,6 +38,7 @@ class Head:
         self._counters = counters
         self._place, self._may_arm = given.port, given.arm
         self._changed, self._tried_arming = asyncio.Event(), -AGAIN
+        self._due = 0.0  # when the next command is, at this pace
         self._samples: deque[Sample] = deque(maxlen=4)
 
     @property
@@ -109,21 +110,21 @@ class Head:
             self._may_arm = False  # who turns them off later wants them off
         elif not self._may_arm:
             self.steering.clear()
-        if self.steering.needs_repetition:
+        if self.steering.needs_repetition and time.monotonic() > self._due + PACE:
             self._changed.set()
 
     async def _drive(self, gimbal: aio.Gimbal) -> None:
         while True:
             await self._changed.wait()
             self._changed.clear()
-            end, sample = time.monotonic() + PACE, self.sample
+            self._due, sample = max(self._due, time.monotonic()) + PACE, self.sample
             try:
                 if sample is not None and self.steering.wishes:
                     await self._send(gimbal, sample)
             except Error as error:
                 self._counters["failed"] += 1
                 LOG.warning("%s: %s", self._place, error)
-            await asyncio.sleep(end - time.monotonic())
+            await asyncio.sleep(self._due - PACE - time.monotonic())  # one may be early
 
     async def _send(self, gimbal: aio.Gimbal, sample: Sample) -> None:
         now = time.monotonic()
