@@ -21,7 +21,7 @@ from sbgc.msg import OtherFlags, RealtimeData4
 from sbgc.parameters import Profile
 
 INTERVAL = 0.05  # seconds between samples, and between repetitions for an axis that follows
-PACE = 0.018  # a board takes 50 commands a second; a few more let what was late catch up
+PACE = 0.02  # a board takes 50 commands a second
 STALE, LOST = 0.5, 2.0  # seconds without a sample
 AGAIN = 2.0
 
@@ -124,7 +124,7 @@ class Head:
             except Error as error:
                 self._counters["failed"] += 1
                 LOG.warning("%s: %s", self._place, error)
-            await asyncio.sleep(self._due - PACE - time.monotonic())  # one may be early
+            await asyncio.sleep(self._due - 2 * PACE - time.monotonic())  # two may be early
 
     async def _send(self, gimbal: aio.Gimbal, sample: Sample) -> None:
         now = time.monotonic()
