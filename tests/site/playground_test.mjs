@@ -299,10 +299,15 @@ test("the lines of C++ compile, and those of the command are known to it", async
     const functions = (await lines()).map((text, n) => `sbgc::Result<void> f${n}(sbgc::Client& client) {\n${text}\nreturn {};\n}`);
     assert.ok(functions.length > 6);
     const headers = ["client/client", "client/motion", "client/speed_control", "doctor/findings", "doctor/measure", "messages/control"];
-    const program = [...headers.map((one) => `#include <sbgc/${one}.hpp>`), "#include <chrono>\n#include <cstdio>\n#include <thread>",
-      "using namespace sbgc::literals;\nusing namespace std::chrono_literals;", ...functions].join("\n");
-    const folders = ["core", "session", "tasks", "any", "io", "client", "analysis", "doctor"].map((one) => `-I${path.join(root, "runtime", one, "include")}`);
-    const made = spawnSync("g++", ["-std=c++20", "-fsyntax-only", "-Wall", `-I${path.join(root, "generated/include")}`, ...folders, "-x", "c++", "-"], { input: program });
+    const program = [
+      ...headers.map((one) => `#include <sbgc/${one}.hpp>`),
+      "#include <chrono>\n#include <cstdio>\n#include <thread>",
+      "using namespace sbgc::literals;\nusing namespace std::chrono_literals;",
+      ...functions,
+    ].join("\n");
+    const libraries = ["core", "session", "tasks", "any", "io", "client", "analysis", "doctor"];
+    const folders = [...libraries.map((one) => `runtime/${one}/include`), "generated/include"].map((one) => `-I${path.join(root, one)}`);
+    const made = spawnSync("g++", ["-std=c++20", "-fsyntax-only", "-Wall", ...folders, "-x", "c++", "-"], { input: program });
     assert.equal(made.stderr.toString(), "");
   });
 });

@@ -103,7 +103,11 @@ export function App({ session }: { session: Session }) {
     session.start(optionsOf(emulationOf(values)));
     session.pace(pace);
   };
-  const desk: Desk = { language, isReady: identity !== "", run: (action, label) => void run(action, label) };
+  const desk: Desk = {
+    language,
+    isReady: identity !== "",
+    run: (action, label) => void run(action, label),
+  };
   return (
     <SessionProvider value={session}>
       <DeskProvider value={desk}>

@@ -41,7 +41,8 @@ export function MovePanel({ values, set }: PanelProps) {
     timer.current = window.setTimeout(() => {
       timer.current = 0;
       // What the visitor has asked for in the meantime is newer.
-      if (session.asked === asked) run(moveTo(targetsOf(newest.current), newest.current.speed), "Move");
+      if (session.asked !== asked) return;
+      run(moveTo(targetsOf(newest.current), newest.current.speed), "Move");
     }, pause);
   };
   return (

@@ -36,7 +36,7 @@ export function Trial({ hex, onClose }: { hex: string; onClose: () => void }) {
           Close
         </button>
       </div>
-      <p>Nothing has been sent yet. The board here is emulated.</p>
+      {!answer && <p>Nothing has been sent yet. The board here is emulated.</p>}
       {problem && (
         <p class="bad" role="alert">
           {problem}

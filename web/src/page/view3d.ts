@@ -10,7 +10,7 @@ import type { Axes } from "../worker_messages.js";
 import { radians, type Direction } from "./attitude.js";
 import { colorsOf } from "./theme.js";
 
-/** In three.js, x is right, y up, and -z forward: all three angles of the board turn the other way. */
+/** In three.js, x is right, y up, and -z forward: all angles of the board turn the other way. */
 const order = "YZX";
 const attitude = ([roll, pitch, yaw]: Axes): THREE.Quaternion =>
   new THREE.Quaternion().setFromEuler(
