@@ -18,12 +18,6 @@ declare global {
 let view3d: View3D | null = null;
 globalThis.sbgcPlayground = Object.freeze({ opticalAxis: () => view3d?.opticalAxis() ?? null });
 
-function hasWebGl(): boolean {
-  const context = document.createElement("canvas").getContext("webgl2");
-  context?.getExtension("WEBGL_lose_context")?.loseContext();
-  return context !== null;
-}
-
 const whenIdle = (call: () => void): void => {
   if ("requestIdleCallback" in globalThis) requestIdleCallback(call, { timeout: 1000 });
   else setTimeout(call, 200); // Safari
@@ -51,14 +45,15 @@ export function GimbalView() {
     };
 
     const load = async (): Promise<void> => {
-      if (!hasWebGl()) {
+      const context = target.getContext("webgl2", { antialias: true });
+      if (!context) {
         setProblem("This browser has no WebGL: no 3D view.");
         return;
       }
       try {
         const { createView } = await import("./view3d.js");
         if (isEnded) return;
-        const made = createView(target);
+        const made = createView(target, context);
         view3d = made;
         const size = new ResizeObserver(made.resize);
         size.observe(target);
