@@ -7,12 +7,9 @@ import site
 from collections.abc import Iterator
 from importlib.util import find_spec
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import Any
 
 import pytest
-
-if TYPE_CHECKING:
-    from drone import Rig
 
 for folder in Path(__file__).parents[2].glob("build/venv/lib/python3*/site-packages"):
     site.addsitedir(str(folder))
@@ -25,8 +22,18 @@ def pytest_report_header() -> str:
 
 
 @pytest.fixture
-def rig() -> Iterator[Rig]:
+def rig() -> Iterator[Any]:
     from drone import started
 
     with started() as made:
         yield made
+
+
+@pytest.fixture
+def autopilot(rig: Any) -> Any:
+    return rig.autopilot
+
+
+@pytest.fixture
+def gimbal(rig: Any) -> Any:
+    return rig.gimbal

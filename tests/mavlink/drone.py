@@ -10,7 +10,7 @@ import sys
 import time
 from collections import Counter
 from collections.abc import Callable, Iterator
-from contextlib import ExitStack, contextmanager
+from contextlib import closing, contextmanager
 from dataclasses import dataclass
 from math import cos, nan, radians, sin
 from threading import Timer
@@ -20,17 +20,12 @@ from optical_axis import degrees_down, degrees_right
 
 import sbgc
 from sbgc import msg
-from sbgc.mavlink.codec import Codec, Message
-from sbgc.mavlink.vehicle import WANTED
+from sbgc.mavlink.codec import TYPES, Codec, Message
 
-NAMES = WANTED | {
-    *("GIMBAL_DEVICE_INFORMATION", "GIMBAL_DEVICE_ATTITUDE_STATUS", "COMPONENT_INFORMATION_BASIC"),
-    *("COMMAND_ACK", "PARAM_VALUE"),
-}
 NO_Q = [nan] * 4
 STATUS = "GIMBAL_DEVICE_ATTITUDE_STATUS"
 FOLLOW, LOCK = 0, 28  # what ArduPilot sends
-SLOW = 6.0  # seconds in which a busy machine still turns a camera to its place
+Aim = Callable[[], object]  # sends something
 
 
 def aircraft(roll: float = 0, pitch: float = 0, yaw: float = 0) -> list[float]:
@@ -44,14 +39,19 @@ def aircraft(roll: float = 0, pitch: float = 0, yaw: float = 0) -> list[float]:
 class Station:
     """An autopilot (component 1), or somebody else, with a socket of its own."""
 
-    def __init__(self, system: int = 1, component: int = 1, key: Optional[bytes] = None) -> None:
+    def __init__(
+        self, system: int = 1, component: int = 1, key: Optional[bytes] = None, line: Any = None
+    ) -> None:
+        """`line` is another station, whose line it uses."""
         self.sender, self.sequence = (system, component), 0
-        self.socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
-        self.socket.bind(("127.0.0.1", 0))
+        self.socket = line.socket.dup() if line else socket.socket(type=socket.SOCK_DGRAM)
+        self.peer = line.peer if line else None
+        if not line:
+            self.socket.bind(("127.0.0.1", 0))
         self.port: int = self.socket.getsockname()[1]
-        self.peer: Any = None
+        self.period = 0.02  # that of ArduPilot
         self.counters: Counter[str] = Counter()
-        self.codec = Codec(NAMES, key, self.counters)
+        self.codec = Codec(key, self.counters)
         self.got: list[Message] = []
         self.heading: Callable[[], Optional[float]] = lambda: 0.0
         self.began = self.beat = time.monotonic()
@@ -60,7 +60,10 @@ class Station:
         self.socket.close()
 
     def encode(self, name: str, **fields: Any) -> bytes:
-        data = self.codec.encode(name, self.sender, self.sequence, **fields)
+        """Make a message, without rates that are not given."""
+        rates = [one for one in TYPES[name].fieldnames if "rate" in one or "velocity" in one]
+        fields = {**dict.fromkeys(rates, nan), **fields}
+        data = self.codec.to_bytes(name, self.sender, self.sequence, **fields)
         self.sequence = (self.sequence + 1) % 256
         return data
 
@@ -77,24 +80,23 @@ class Station:
                 data, self.peer = self.socket.recvfrom(4096)
             except TimeoutError:
                 return
-            self.got += self.codec.decode(data, True)
+            self.got += self.codec.messages(data, True)
 
-    def fly(self, seconds: float, each: Callable[[], object] = lambda: None) -> None:
-        """Send heartbeats, the state, and what `each` sends, 50 times a second."""
+    def fly(self, seconds: float, each: Aim = lambda: None) -> None:
+        """Send heartbeats, and in each period the state and what `each` sends."""
         until = time.monotonic() + seconds
         while time.monotonic() < until:
             is_autopilot, heading = self.sender[1] == 1, self.heading()
             if time.monotonic() >= self.beat:
                 self.beat = time.monotonic() + 1
                 who = {"type": 2, "autopilot": 3} if is_autopilot else {"type": 6, "autopilot": 8}
-                rest = {"base_mode": 0, "custom_mode": 0, "system_status": 4, "mavlink_version": 3}
-                self.put(self.encode("HEARTBEAT", **who, **rest))
+                self.put(self.encode("HEARTBEAT", system_status=4, mavlink_version=3, **who))
             if heading is not None and is_autopilot:
                 self.put(self.state(heading))
             each()
-            self.listen(0.02)
+            self.listen(self.period)
 
-    def until(self, found: Callable[[], Any], each: Callable[[], object] = lambda: None) -> Any:
+    def until(self, found: Callable[[], Any], each: Aim = lambda: None) -> Any:
         """Fly until something is true."""
         end = time.monotonic() + 20
         while not (result := found()):
@@ -102,41 +104,30 @@ class Station:
             self.fly(0.04, each)
         return result
 
-    def state(self, heading: float, **other: Any) -> bytes:
+    def state(self, heading: float) -> bytes:
         fields: dict[str, Any] = {"time_boot_us": int((time.monotonic() - self.began) * 1e6)}
-        fields.update(target_system=self.sender[0], target_component=0, q=aircraft(yaw=heading))
-        fields.update(q_estimated_delay_us=0, vx=0, vy=0, vz=0, v_estimated_delay_us=0)
-        fields.update(feed_forward_angular_velocity_z=nan, angular_velocity_z=nan)
-        fields.update({"estimator_status": 41791, "landed_state": 0, **other})
+        fields.update(target_system=self.sender[0], q=aircraft(yaw=heading), estimator_status=41791)
         return self.encode("AUTOPILOT_STATE_FOR_GIMBAL_DEVICE", **fields)
 
-    def attitude(
-        self, q: Any = NO_Q, rates: Any = (nan, nan, nan), flags: int = FOLLOW, to: Any = None
-    ) -> bytes:
+    def attitude(self, q: Any = NO_Q, rates: Any = (), flags: int = 0, to: Any = None) -> bytes:
         """GIMBAL_DEVICE_SET_ATTITUDE."""
         fields: dict[str, Any] = {f"angular_velocity_{a}": rate for a, rate in zip("xyz", rates)}
         fields["target_system"], fields["target_component"] = to or (self.sender[0], 154)
         return self.encode("GIMBAL_DEVICE_SET_ATTITUDE", q=q, flags=flags, **fields)
 
-    def aim(self, *given: Any, **named: Any) -> Callable[[], bytes]:
+    def aim(self, *given: Any, **named: Any) -> Aim:
         """What sends SET_ATTITUDE, for fly()."""
         return lambda: self.put(self.attitude(*given, **named))
 
     def command(
         self, number: int, *values: float, to: Any = (1, 154), is_int: bool = False
     ) -> Optional[int]:
-        """Send a command, and return the result of its answer; None if there is none for a second."""
-        given: list[Any] = [*values, *[0.0] * (7 - len(values))]
-        names = [f"param{number}" for number in range(1, 8)]
-        rest = {"target_system": to[0], "target_component": to[1], "command": number}
-        if is_int:
-            names[4:], given[4:6] = ["x", "y", "z"], map(int, given[4:6])
-            rest.update(frame=0, current=0, autocontinue=0)
-        else:
-            rest["confirmation"] = 0
-        seen, name = len(self.got), "COMMAND_INT" if is_int else "COMMAND_LONG"
-        self.put(self.encode(name, **dict(zip(names, given)), **rest))
-        end = time.monotonic() + 1
+        """Send a command, and return the result of its answer; None if there is none for 2 s."""
+        name = "COMMAND_INT" if is_int else "COMMAND_LONG"
+        fields: dict[str, Any] = dict(zip(TYPES[name].fieldnames[-7:], values))
+        fields.update(target_system=to[0], target_component=to[1], command=number)
+        seen, end = len(self.got), time.monotonic() + 2
+        self.put(self.encode(name, **fields))
         while time.monotonic() < end:
             self.fly(0.02)
             for one in self.got[seen:]:
@@ -154,13 +145,18 @@ class Station:
 class Gimbal:
     """An emulated gimbal, seen by another host on its line."""
 
-    def __init__(self, *options: str, port: str = "0") -> None:
-        command = [os.environ["SBGC"], "emulate", "--tcp", port, *options]
+    def __init__(self, *options: str) -> None:
+        self.port, self._options = "0", options
+        self.open()
+
+    def open(self) -> None:
+        """Start it, again at the same port."""
+        command = [os.environ["SBGC"], "emulate", "--tcp", self.port, *self._options]
         self.process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
         assert self.process.stdout is not None
-        found = re.match(r"emulated gimbal 1: (\S+)", self.process.stdout.readline())
+        found = re.match(r"emulated gimbal 1: (\S+:(\d+))", self.process.stdout.readline())
         assert found
-        self.address = found[1]
+        self.address, self.port = found[1], found[2]
         self.host = sbgc.connect(self.address)
 
     def close(self) -> None:
@@ -172,9 +168,8 @@ class Gimbal:
     def data(self) -> msg.RealtimeData4:
         return self.host.call(msg.RealtimeData4Request())
 
-    def joints(self) -> tuple[float, float, float]:
-        roll, pitch, yaw = self.data().rotor_angle
-        return roll, pitch, yaw
+    def joints(self) -> sbgc.Angles:
+        return sbgc.Angles(*self.data().rotor_angle)
 
     @property
     def up(self) -> float:
@@ -220,18 +215,22 @@ def started(
     *arguments: str,
     emulator: tuple[str, ...] = (),
     motors: bool = True,
+    system: int = 1,
     key: Optional[bytes] = None,
     north: float = 0,
+    limit: float = 0,
 ) -> Iterator[Rig]:
-    """`north` is the heading of the vehicle while its frame has a yaw of 0."""
-    with ExitStack() as stack:
-        gimbal, autopilot = Gimbal(*emulator), Station(key=key)
+    """`north` is the heading of the vehicle while its frame has a yaw of 0, `limit` that of yaw."""
+    autopilot = Station(system, key=key)
+    with closing(Gimbal(*emulator)) as gimbal:
         if emulator:
             autopilot.heading = lambda: gimbal.data().frame_imu_angle.yaw + north
-        stack.callback(gimbal.close)
         if not motors:
             gimbal.host.motors_off()
+        if limit:
+            with gimbal.host.edit_profile(1) as profile:
+                profile["rc.yaw.rc_min_angle"], profile["rc.yaw.rc_max_angle"] = -limit, limit
         line = f"--line=udpout:127.0.0.1:{autopilot.port}"
-        process = stack.enter_context(program(gimbal.address, line, *arguments))
-        autopilot.until(lambda: autopilot.all(STATUS))
-        yield Rig(gimbal, autopilot, process)
+        with program(gimbal.address, line, *arguments) as process:
+            autopilot.until(lambda: autopilot.all(STATUS))
+            yield Rig(gimbal, autopilot, process)

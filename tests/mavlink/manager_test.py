@@ -7,9 +7,10 @@ from math import nan, radians
 from typing import Any
 
 import pytest
-from drone import STATUS, Rig, Station, aircraft, started
+from drone import STATUS, Gimbal, Rig, Station, aircraft, started
 
 PITCHYAW, CONFIGURE = 1000, 1001
+TARGET = {"target_system": 1, "target_component": 154, "gimbal_device_id": 1, "flags": 12}
 
 
 @pytest.fixture(name="rig")
@@ -22,29 +23,12 @@ def managed() -> Iterator[Rig]:
 def owners(station: Station) -> list[int]:
     station.fly(0.5)
     status = station.last("GIMBAL_MANAGER_STATUS")
-    return [
-        status.primary_control_sysid,
-        status.primary_control_compid,
-        status.secondary_control_sysid,
-    ]
+    primary = [status.primary_control_sysid, status.primary_control_compid]
+    return [*primary, status.secondary_control_sysid]
 
 
-def join(rig: Rig, system: int, component: int) -> Station:
-    """Another station on the line of the autopilot."""
-    station = Station(system, component)
-    station.socket.close()
-    station.socket, station.peer = rig.autopilot.socket.dup(), rig.autopilot.peer
-    return station
-
-
-def test_it_is_found_and_describes_itself(rig: Rig) -> None:
-    autopilot = rig.autopilot
-    assert (
-        autopilot.command(512, 396)
-        == autopilot.command(512, 280)
-        == autopilot.command(512, 281)
-        == 0
-    )
+def test_it_is_found_and_describes_itself(autopilot: Station) -> None:
+    assert [autopilot.command(512, number) for number in (396, 280, 281)] == [0, 0, 0]
     assert autopilot.last("COMPONENT_INFORMATION_BASIC").capabilities == 0x40000
     told = autopilot.last("GIMBAL_MANAGER_INFORMATION")
     assert told.gimbal_device_id == 1 and told.pitch_min == pytest.approx(radians(-90))
@@ -54,94 +38,75 @@ def test_it_is_found_and_describes_itself(rig: Rig) -> None:
     assert 8 <= len(autopilot.all("GIMBAL_MANAGER_STATUS")) - before <= 11
 
 
-def test_only_who_has_control_steers(rig: Rig) -> None:
-    autopilot, gimbal = rig.autopilot, rig.gimbal
+def test_only_who_has_control_steers(autopilot: Station, gimbal: Gimbal) -> None:
+    level, down = (0, 0, nan, nan, 12), (-30, 0, nan, nan, 12)
     autopilot.fly(1, autopilot.aim(aircraft(pitch=-30)))  # as ArduPilot does all the time
-    assert autopilot.command(PITCHYAW, -30, 0, nan, nan, 12) == 2, "nobody has control"
+    assert autopilot.command(PITCHYAW, *down) == 2, "nobody has control"
     assert gimbal.up == pytest.approx(0, abs=0.5)
-    station = join(rig, 245, 190)
+    station, nobody = Station(245, 190, line=autopilot), Station(0, 0, line=autopilot)
     assert station.command(CONFIGURE, 1, 1, -1, -1) == 2, "nobody decides for others"
+    assert station.command(CONFIGURE, nan, nan, nan, nan) == 2
     assert station.command(CONFIGURE, 245, 190, 245, 190) == 0, "as MAVSDK asks"
     assert owners(station) == [245, 190, 245]
-    assert autopilot.command(PITCHYAW, -30, 0, nan, nan, 12) == 2
+    assert autopilot.command(PITCHYAW, *down) == nobody.command(PITCHYAW, *down) == 2
     assert station.command(PITCHYAW, -20, 30, nan, nan, 12, is_int=True) == 0
     autopilot.until(lambda: (gimbal.up, gimbal.right) == pytest.approx((-20, 30), abs=1))
-    for refused in (
-        (-20, 30, nan, nan, 1),
-        (2000, 0, nan, nan, 12),
-        (0, 0, nan, nan, 96),
-        (0, 0, 0, 0, -1),
-    ):
-        assert station.command(PITCHYAW, *refused) == 2
+    for pitch, yaw, rate, flags in ((-20, 30, nan, 1), (2000, 0, nan, 12), (0, 0, nan, 96)):
+        assert station.command(PITCHYAW, pitch, yaw, rate, rate, flags) == 2
+    assert station.command(PITCHYAW, 0, 0, 0, 0, -1) == 2
+    place = (154, 0, 0, 0, 473977000, 85455000, 500)
+    assert station.command(195, *place, is_int=True) == station.command(197) == 3, "unsupported"
     assert autopilot.command(CONFIGURE, -2, -2, -1, -1) == 0, "who asks gets it"
     assert owners(autopilot) == [1, 1, 245]
-    assert station.command(PITCHYAW, 0, 0, nan, nan, 12) == 2
+    assert station.command(PITCHYAW, *level) == 2
     assert autopilot.command(CONFIGURE, -3, -3, -3, -3) == 0
     assert owners(autopilot) == [0, 0, 245]
-    assert (
-        station.command(PITCHYAW, 0, 0, nan, nan, 12) == 0
-    ), "secondary control, while nobody has primary"
-    assert station.command(CONFIGURE, nan, nan, nan, nan) == 2
+    assert station.command(PITCHYAW, *level) == 0, "secondary control, while nobody has primary"
+    assert station.command(CONFIGURE, -3, -3, -3, -3) == 0
+    assert nobody.command(PITCHYAW, *down) == 2, "nobody has control"
 
 
-def test_control_ends_with_silence(rig: Rig) -> None:
+def test_control_ends_with_silence(autopilot: Station, gimbal: Gimbal) -> None:
     """A ground station is killed while the camera turns."""
-    station = join(rig, 255, 190)
+    station = Station(255, 190, line=autopilot)
     assert station.command(CONFIGURE, 255, 190, -1, -1) == 0
-    fields = {"target_system": 1, "target_component": 154, "gimbal_device_id": 0, "flags": 12}
+    fields = {"pitch": nan, "yaw": nan, "pitch_rate": -0.3, **TARGET}
     for _ in range(5):
-        rates = {"pitch": nan, "yaw": nan, "pitch_rate": -0.3, "yaw_rate": nan}
-        station.put(station.encode("GIMBAL_MANAGER_SET_PITCHYAW", **fields, **rates))
-        rig.autopilot.fly(0.1)
-    rig.autopilot.fly(1)
-    assert rig.gimbal.is_still() and -30 < rig.gimbal.up < -5
-    rig.autopilot.until(lambda: owners(rig.autopilot) == [0, 0, 0])
+        station.put(station.encode("GIMBAL_MANAGER_SET_PITCHYAW", **fields))
+        autopilot.fly(0.1)
+    autopilot.fly(1)
+    assert gimbal.is_still() and -30 < gimbal.up < -5
+    autopilot.until(lambda: owners(autopilot) == [0, 0, 0])
 
 
-@pytest.mark.parametrize(
-    "name, fields",
-    [
-        (
-            "SET_PITCHYAW",
-            {"pitch": radians(-30), "yaw": radians(20), "pitch_rate": nan, "yaw_rate": nan},
-        ),
-        ("SET_MANUAL_CONTROL", {"pitch": -1 / 3, "yaw": 1 / 9, "pitch_rate": nan, "yaw_rate": nan}),
-        ("SET_ATTITUDE", {"q": aircraft(pitch=-30, yaw=20)}),
-    ],
-)
-def test_setpoints(name: str, fields: dict[str, Any], rig: Rig) -> None:
-    autopilot, gimbal = rig.autopilot, rig.gimbal
-    if name == "SET_ATTITUDE":
-        fields = {**fields, **{f"angular_velocity_{axis}": nan for axis in "xyz"}}
+SETPOINTS: dict[str, dict[str, Any]] = {
+    "PITCHYAW": {"pitch": radians(-30), "yaw": radians(20)},
+    "MANUAL_CONTROL": {"pitch": -1 / 3, "yaw": 1 / 9},
+    "ATTITUDE": {"q": aircraft(pitch=-30, yaw=20)},
+}
+
+
+@pytest.mark.parametrize("name", SETPOINTS)
+def test_setpoints(name: str, autopilot: Station, gimbal: Gimbal) -> None:
     autopilot.command(CONFIGURE, 1, 1, -1, -1)
-    target = {"target_system": 1, "target_component": 154, "flags": 12}
 
-    def send(number: int, **changed: Any) -> None:
-        data = {**fields, **target, "gimbal_device_id": number, **changed}
-        autopilot.put(autopilot.encode(f"GIMBAL_MANAGER_{name}", **data))
+    def send(**changed: Any) -> bytes:
+        data = {**SETPOINTS[name], **TARGET, **changed}
+        return autopilot.put(autopilot.encode(f"GIMBAL_MANAGER_SET_{name}", **data))
 
-    autopilot.fly(0.5, lambda: send(2))
-    if name == "SET_MANUAL_CONTROL":
-        autopilot.fly(0.5, lambda: send(1, pitch=-1.5))
+    autopilot.fly(0.5, lambda: send(gimbal_device_id=2))
+    if name == "MANUAL_CONTROL":
+        autopilot.fly(0.5, lambda: send(pitch=-1.5))
     assert gimbal.up == pytest.approx(0, abs=0.5)
     place = pytest.approx((-30, 20), abs=1)
-    autopilot.until(lambda: (gimbal.up, gimbal.right) == place, lambda: send(1))
+    autopilot.until(lambda: (gimbal.up, gimbal.right) == place, send)
 
 
-def test_places_are_not_supported(rig: Rig) -> None:
-    rig.autopilot.command(CONFIGURE, 1, 1, -1, -1)
-    assert rig.autopilot.command(195, 154, 0, 0, 0, 473977000, 85455000, 500, is_int=True) == 3
-    assert rig.autopilot.command(197) == 3
-
-
-def test_it_does_not_manage_what_another_one_announces(rig: Rig) -> None:
-    autopilot = rig.autopilot
-    ids = {"primary_control_sysid": 0, "primary_control_compid": 0}
-    ids.update(secondary_control_sysid=0, secondary_control_compid=0, flags=12, time_boot_ms=0)
-    autopilot.put(autopilot.encode("GIMBAL_MANAGER_STATUS", gimbal_device_id=1, **ids))
+def test_it_does_not_manage_what_another_one_announces(autopilot: Station, gimbal: Gimbal) -> None:
+    autopilot.put(autopilot.encode("GIMBAL_MANAGER_STATUS", gimbal_device_id=1))
     autopilot.fly(0.5)
     assert autopilot.command(CONFIGURE, 1, 1, -1, -1) == 0, "ArduPilot numbers its mounts so"
-    autopilot.put(autopilot.encode("GIMBAL_MANAGER_STATUS", gimbal_device_id=154, **ids))
+    autopilot.put(autopilot.encode("GIMBAL_MANAGER_STATUS", gimbal_device_id=154))
     assert autopilot.command(CONFIGURE, 1, 1, -1, -1) == 2
-    autopilot.until(lambda: rig.gimbal.up < -18, autopilot.aim(aircraft(pitch=-20)))
+    autopilot.until(lambda: gimbal.up < -18, autopilot.aim(aircraft(pitch=-20)))
     assert autopilot.last(STATUS).gimbal_device_id == 0

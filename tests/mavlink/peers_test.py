@@ -4,95 +4,69 @@ from __future__ import annotations
 
 import json
 import shutil
-import socket
 import subprocess
 import time
-from collections.abc import Callable
+from contextlib import closing
 from math import degrees, isnan
 from pathlib import Path
 from typing import Any
 
 import pytest
-from drone import Gimbal, Rig, aircraft, program
+from drone import STATUS, Gimbal, Station, aircraft, program
 
 PEERS = Path(__file__).parent / "peers"
-
-
-def until(found: Callable[[], Any]) -> Any:
-    end = time.monotonic() + 20
-    while not (result := found()):
-        assert time.monotonic() < end, "it never happens"
-        time.sleep(0.05)
-    return result
 
 
 def test_mavsdk_steers_and_sees() -> None:
     mavsdk = pytest.importorskip("mavsdk", reason="./dev installs it")
     plugin: Any = pytest.importorskip("mavsdk.plugins.gimbal.gimbal")
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as free:
-        free.bind(("127.0.0.1", 0))
-        port = free.getsockname()[1]
-    follow, once, stream = (
-        plugin.GimbalMode.YAW_FOLLOW,
-        plugin.SendMode.ONCE,
-        plugin.SendMode.STREAM,
-    )
-    camera = Gimbal()
-    line = f"--line=udpout:127.0.0.1:{port}"
+    free, until = Station(), Station().until
+    free.socket.close()
+    follow, once = plugin.GimbalMode.YAW_FOLLOW, plugin.SendMode.ONCE
     kind = mavsdk.Configuration.create_with_component_type(mavsdk.ComponentType.GROUND_STATION)
-    try:
-        with program(camera.address, line, "--manager", "--system=1"), mavsdk.Mavsdk(
-            kind
-        ) as ground:
-            ground.add_any_connection(f"udpin://127.0.0.1:{port}")
-            system = until(lambda: [one for one in ground.get_systems() if one.has_gimbal()])[0]
-            gimbal = plugin.Gimbal(system)
-            (item,) = until(lambda: gimbal.gimbal_list().gimbals)
-            assert (
-                item.vendor_name == "BaseCam Electronics"
-                and item.gimbal_manager_component_id == 154
-            )
-            with pytest.raises(plugin.GimbalError):
-                gimbal.set_angles(item.gimbal_id, 0, -30, 20, follow, once)
-            gimbal.take_control(item.gimbal_id, plugin.ControlMode.PRIMARY)
-            until(lambda: gimbal.get_control_status(item.gimbal_id).control_mode == 1)
+    options = f"--line=udpout:127.0.0.1:{free.port}", "--manager", "--system=1"
+    with closing(Gimbal()) as camera, program(camera.address, *options), mavsdk.Mavsdk(
+        kind
+    ) as ground:
+        ground.add_any_connection(f"udpin://127.0.0.1:{free.port}")
+        system = until(lambda: [one for one in ground.get_systems() if one.has_gimbal()])[0]
+        gimbal = plugin.Gimbal(system)
+        (item,) = until(lambda: gimbal.gimbal_list().gimbals)
+        who = item.vendor_name, item.gimbal_manager_component_id
+        assert who == ("BaseCam Electronics", 154)
+        with pytest.raises(plugin.GimbalError):
             gimbal.set_angles(item.gimbal_id, 0, -30, 20, follow, once)
-            place = pytest.approx((-30, 20), abs=1)
-            until(lambda: (camera.up, camera.right) == place)
-
-            def told() -> tuple[float, float]:
-                found = gimbal.get_attitude(item.gimbal_id).euler_angle_forward
-                return found.pitch_deg, found.yaw_deg
-
-            until(lambda: told() == place)
-            gimbal.set_angular_rates(item.gimbal_id, 0, 10, -10, follow, once)
-            time.sleep(1.2)
-            assert camera.is_still(), "sent once, a rate ends after half a second"
-            assert (camera.up, camera.right) == pytest.approx((-25, 15), abs=1.5)
-            for _ in range(10):
-                gimbal.set_angular_rates(item.gimbal_id, 0, -10, 10, follow, stream)
-                time.sleep(0.1)
-            assert -41 < camera.up < -30 and 20 < camera.right < 31
-            gimbal.release_control(item.gimbal_id)
-            until(lambda: gimbal.get_control_status(item.gimbal_id).control_mode == 0)
-            gimbal.destroy()
-    finally:
-        camera.close()
+        gimbal.take_control(item.gimbal_id, plugin.ControlMode.PRIMARY)
+        until(lambda: gimbal.get_control_status(item.gimbal_id).control_mode == 1)
+        gimbal.set_angles(item.gimbal_id, 0, -30, 20, follow, once)
+        place = pytest.approx((-30, 20), abs=1)
+        until(lambda: (camera.up, camera.right) == place)
+        attitude: Any = lambda: gimbal.get_attitude(item.gimbal_id).euler_angle_forward
+        until(lambda: (attitude().pitch_deg, attitude().yaw_deg) == place)
+        gimbal.set_angular_rates(item.gimbal_id, 0, 10, -10, follow, once)
+        time.sleep(1.2)
+        assert camera.is_still(), "sent once, a rate ends after half a second"
+        assert (camera.up, camera.right) == pytest.approx((-25, 15), abs=1.5)
+        for _ in range(10):
+            gimbal.set_angular_rates(item.gimbal_id, 0, -10, 10, follow, plugin.SendMode.STREAM)
+            time.sleep(0.1)
+        assert -41 < camera.up < -30 and 20 < camera.right < 31
+        gimbal.release_control(item.gimbal_id)
+        until(lambda: gimbal.get_control_status(item.gimbal_id).control_mode == 0)
+        gimbal.destroy()
 
 
-def test_node_mavlink_decodes_the_same(rig: Rig) -> None:
+def test_node_mavlink_decodes_the_same(autopilot: Station) -> None:
     node = shutil.which("node")
     if node is None or not (PEERS / "node_modules").exists():
         pytest.skip("node-mavlink is missing: ./dev installs it")
-    autopilot = rig.autopilot
     autopilot.fly(1.5, autopilot.aim(aircraft(pitch=-20, yaw=10)))
     assert autopilot.command(512, 283) == 0 and autopilot.command(512, 77) == 3
     data = b"".join(bytes(one.values.get_msgbuf()) for one in autopilot.got)
     done = subprocess.run([node, PEERS / "decode.js"], input=data, capture_output=True, check=True)
     lines = [json.loads(line) for line in done.stdout.decode().splitlines()]
-    assert {one["name"] for one in lines} >= {
-        *("HEARTBEAT", "COMMAND_ACK", "GIMBAL_DEVICE_ATTITUDE_STATUS", "GIMBAL_DEVICE_INFORMATION")
-    }
+    names = {"HEARTBEAT", "COMMAND_ACK", STATUS, "GIMBAL_DEVICE_INFORMATION"}
+    assert {one["name"] for one in lines} >= names
     assert len(lines) == len(autopilot.got)
     for ours, theirs in zip(autopilot.got, lines):
         assert (theirs["name"], theirs["system"], theirs["component"]) == (ours.name, *ours.sender)
@@ -108,4 +82,4 @@ def test_node_mavlink_decodes_the_same(rig: Rig) -> None:
                 assert found == pytest.approx(expected, rel=1e-6), name
             else:
                 assert str(found).rstrip("\0") == str(expected), name
-    assert degrees(autopilot.last("GIMBAL_DEVICE_ATTITUDE_STATUS").delta_yaw) == 0
+    assert degrees(autopilot.last(STATUS).delta_yaw) == 0

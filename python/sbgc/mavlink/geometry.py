@@ -1,37 +1,33 @@
-"""Attitudes: quaternions (w, x, y, z) and angles in degrees, with the directions of MAVLink.
+"""Attitudes, also the vehicle's: quaternions (w, x, y, z) and angles in degrees, as MAVLink counts them.
 
-Roll is positive to the right, pitch up, yaw to the right. The angles are those of a gimbal: its motor of yaw
-carries that of roll, which carries that of pitch, so that straight down is no special attitude. Without roll,
-they are also the angles of an aircraft.
+The angles are those of a gimbal: its motor of yaw carries that of roll, which carries that of pitch, so that
+straight down is no special attitude. Without roll, they are also the angles of an aircraft.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from math import asin, atan2, cos, degrees, hypot, isfinite, isnan, radians, remainder, sin
-from typing import Optional
+import time
+from math import asin, atan2, cos, degrees, hypot, inf, isfinite, isnan, nan, radians, remainder
+from math import sin
+from typing import Any, Optional
 
 from sbgc.emulator import Angles
 
-Quaternion = tuple[float, float, float, float]
+FRESH = 1.0  # seconds for which a heading is known after the last state
+DRIFT_TIME, UNUSED_TIME = 5.0, 0.5  # seconds in which two thirds of a difference are corrected
 
 
-def wrapped(angle: float) -> float:
-    """The same direction within half a turn, from -180 to 180 degrees."""
-    return remainder(angle, 360)
-
-
-def quaternion_of(angles: Angles) -> Quaternion:
+def quaternion_of(angles: Angles) -> list[float]:
     (sr, cr), (sp, cp), (sy, cy) = ((sin(radians(a) / 2), cos(radians(a) / 2)) for a in angles)
-    return (
+    return [
         cy * cr * cp - sy * sr * sp,
         cy * sr * cp - sy * cr * sp,
         cy * cr * sp + sy * sr * cp,
         cy * sr * sp + sy * cr * cp,
-    )
+    ]
 
 
-def angles_of(q: Quaternion) -> Angles:
+def angles_of(q: list[float]) -> Angles:
     w, x, y, z = q
     return Angles(
         degrees(asin(max(-1.0, min(1.0, 2 * (y * z + w * x))))),
@@ -40,18 +36,48 @@ def angles_of(q: Quaternion) -> Angles:
     )
 
 
-def heading_of(q: Quaternion) -> float:
-    """The direction of the nose of an aircraft, in degrees from north to the right."""
-    w, x, y, z = q
-    return degrees(atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z)))
-
-
-def rotation_of(values: Sequence[float]) -> Optional[Quaternion]:
+def rotation_of(values: list[float]) -> Optional[list[float]]:
     """The rotation of a message: None if all four numbers are NaN. Raises ValueError if it is none."""
     if all(isnan(value) for value in values):
         return None
     length = hypot(*values)
     if not all(isfinite(value) for value in values) or abs(length - 1) > 0.01:
         raise ValueError("quaternion")
-    w, x, y, z = (value / length for value in values)
-    return w, x, y, z
+    return [value / length for value in values]
+
+
+class Autopilot:
+    """The newest state, and the north that follows from it.
+
+    A board without a magnetometer counts yaw from where it began, and drifts. The camera's heading is that of
+    the vehicle plus the joint of yaw; this is exact while the vehicle is level, and 1 degree off at worst while
+    it is tilted by 15. `north`, the heading where the board's yaw is 0, follows the difference slowly.
+    """
+
+    def __init__(self) -> None:
+        self.turn = 0.0  # how quickly the vehicle turns to the right, degrees per second
+        self.north = self._heading = nan
+        self._at = self._corrected = -inf
+
+    @property
+    def heading(self) -> float:
+        """Degrees from north to the right; NaN if not known."""
+        return self._heading if time.monotonic() - self._at < FRESH else nan
+
+    def take(self, values: Any) -> None:
+        """Take AUTOPILOT_STATE_FOR_GIMBAL_DEVICE. Raises ValueError if it is wrong."""
+        if (q := rotation_of(values.q)) is None:
+            return
+        w, x, y, z = q
+        self._heading = degrees(atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z)))
+        self._at = time.monotonic()
+        rate = degrees(values.angular_velocity_z or values.feed_forward_angular_velocity_z)
+        self.turn = max(-360.0, min(360.0, rate)) if isfinite(rate) else 0.0
+
+    def correct(self, offset: float, is_held: bool) -> None:
+        """Correct north by how much the joint's yaw exceeds the board's: slowly if yaw is held by it."""
+        if isnan(found := self.heading + offset):
+            return
+        now, north = time.monotonic(), found if isnan(self.north) else self.north
+        share = min(1.0, (now - self._corrected) / (DRIFT_TIME if is_held else UNUSED_TIME))
+        self.north, self._corrected = north + share * remainder(found - north, 360), now

@@ -8,146 +8,123 @@ primary control. Places (ROI) are not supported.
 from __future__ import annotations
 
 import asyncio
-import logging
-from functools import partial
 from math import degrees
 from typing import Any, Optional
 
 from sbgc.emulator import Angles
-from sbgc.mavlink.codec import Message
-from sbgc.mavlink.commands import Order
-from sbgc.mavlink.device import Device
-from sbgc.mavlink.protocol import ONE_COMPONENT, Command, Flags, Ids, Number, Result
+from sbgc.mavlink import LOG
+from sbgc.mavlink.codec import Ids, Message, Result, mav
+from sbgc.mavlink.device import ONE_COMPONENT, Device, Fields
 
-LOG = logging.getLogger("sbgc.mavlink")
 INTERVAL = 0.2
 SEARCH = 1.0  # seconds in which another manager is searched for
-MANUAL_RATE, MANUAL_ANGLE = 30.0, 90.0
-"""Degrees per second, and degrees where there is no limit, for a stick at its end."""
+MANUAL_RATE = 30.0  # degrees per second for a stick at its end, which is also the limit of the axis
 NOBODY = (0, 0)
 UNCHANGED, MYSELF, NO_LONGER_ME = (-1, -1), (-2, -2), (-3, -3)
 
 
-class Manager:
-    """Manages a device of this process, unless another component announces that it manages it."""
+class Manager(Device):
+    """A device that manages itself, unless another component announces that it does."""
 
-    def __init__(self, device: Device) -> None:
-        self.is_active = False
-        self._device, self._vehicle = device, device.vehicle
-        self._owners: list[Ids] = [NOBODY, NOBODY]  # primary, secondary
-        self._has_rival = False
-        device.manager = self
+    _owners: list[Ids] = [NOBODY, NOBODY]  # of primary and secondary control; it is replaced
+    _has_rival = False
 
     async def run(self) -> None:
+        await asyncio.gather(super().run(), self._manage())
+
+    async def _manage(self) -> None:
         """Search for another manager; manage until one is heard."""
-        while not self._vehicle.system:
+        while not self.vehicle.system:
             await asyncio.sleep(INTERVAL)
-        fields = {f"param{number}": 0 for number in range(2, 8)}
-        fields.update(target_system=0, target_component=0, confirmation=0)
-        fields.update(command=Command.REQUEST_MESSAGE, param1=Number.MANAGER_INFORMATION)
-        self._device.reports.send("COMMAND_LONG", **fields)
+        wanted = mav.MAVLINK_MSG_ID_GIMBAL_MANAGER_INFORMATION
+        self.send("COMMAND_LONG", command=mav.MAV_CMD_REQUEST_MESSAGE, param1=wanted)
         await asyncio.sleep(SEARCH)
-        self.is_active = not self._has_rival
-        while self.is_active:
-            for place, owner in enumerate(self._owners):
-                if owner != NOBODY and not self._vehicle.hears(owner):
-                    LOG.info("%s: %d/%d is silent, so its control ends", self._device.name, *owner)
-                    self._owners[place] = NOBODY
-            self.tell(Number.MANAGER_STATUS)
+        self.is_managed = not self._has_rival
+        while self.is_managed:
+            # The control of who is silent ends.
+            self._own([one if self.vehicle.hears(one) else NOBODY for one in self._owners])
+            self.tell("GIMBAL_MANAGER_STATUS")
             await asyncio.sleep(INTERVAL)
 
-    def take(self, message: Message) -> None:
-        """Take a message for this component, or for all."""
-        values = message.values
-        if message.name in ("GIMBAL_MANAGER_INFORMATION", "GIMBAL_MANAGER_STATUS"):
-            if message.system == self._vehicle.system and not self._has_rival:
-                self._has_rival = values.gimbal_device_id == self._device.component
-                if self._has_rival:
-                    self.is_active = False
-                    text = "%s: component %d manages it already; this program does not"
-                    LOG.error(text, self._device.name, message.component)
-        elif not self.is_active or not self._is_for_us(values.gimbal_device_id):
-            self._vehicle.counters["for_others"] += 1
-        else:
-            may = self._may_steer(message.sender)
-            self._device.attempt(may, partial(self._steer, message.name), values)
+    def _gimbal_manager_information(self) -> Fields:
+        fields = self._gimbal_device_information()
+        return fields and {**fields, "cap_flags": fields["cap_flags2"]}
 
-    def execute(self, order: Order) -> Optional[Result]:
-        """Execute a command; None if it is none of a manager."""
-        if order.command not in (Command.MANAGER_PITCHYAW, Command.MANAGER_CONFIGURE):
-            return None
-        if not self.is_active or not self._is_for_us(order.parameters[6]):
-            return Result.DENIED
-        if order.command == Command.MANAGER_CONFIGURE:
-            return self._configure(order)
-        if not self._may_steer(order.sender):
-            self._vehicle.counters["not_in_control"] += 1
-            return Result.DENIED
-        pitch, yaw, pitch_rate, yaw_rate, flags = order.parameters[:5]
-        if not 0 <= flags < 1 << 32:
-            return Result.DENIED
-        try:
-            angles, rates = Angles(0.0, pitch, yaw), Angles(0.0, pitch_rate, yaw_rate)
-            is_possible = self._device.aim(Flags(int(flags)), angles, rates)
-        except ValueError as error:
-            self._vehicle.counters[str(error)] += 1
-            return Result.DENIED
-        return Result.ACCEPTED if is_possible else Result.FAILED
-
-    def tell(self, number: int) -> bool:
-        """Send the information or the status."""
-        reports = self._device.reports
-        fields: dict[str, Any] = {"time_boot_ms": self._vehicle.milliseconds}
-        fields["gimbal_device_id"] = ONE_COMPONENT
-        if number == Number.MANAGER_INFORMATION:
-            able, limits = reports.abilities()
-            return reports.send("GIMBAL_MANAGER_INFORMATION", cap_flags=able, **limits, **fields)
+    def _gimbal_manager_status(self) -> Fields:
+        fields = {"flags": self._flags()}
         for name, owner in zip(("primary", "secondary"), self._owners):
             fields[f"{name}_control_sysid"], fields[f"{name}_control_compid"] = owner
-        return reports.send("GIMBAL_MANAGER_STATUS", flags=int(reports.flags), **fields)
+        return fields
 
-    def _is_for_us(self, device_id: float) -> bool:
-        return device_id in (0, ONE_COMPONENT, self._device.component)
+    def take(self, message: Message) -> None:
+        name, values = message.name, message.values
+        if name in ("GIMBAL_MANAGER_INFORMATION", "GIMBAL_MANAGER_STATUS"):
+            is_near = message.sender[0] == self.vehicle.system
+            if is_near and values.gimbal_device_id == self.component:
+                self._has_rival, self.is_managed = True, False
+                text = "%s: component %d manages it already; this program does not"
+                LOG.error(text, self.name, message.sender[1])
+        elif name.startswith("GIMBAL_MANAGER_SET_"):
+            self._require(values.gimbal_device_id, message.sender)
+            if name == "GIMBAL_MANAGER_SET_ATTITUDE":
+                self.steer(values)
+            else:
+                self._turn(name, values)
+        else:
+            super().take(message)
 
-    def _may_steer(self, sender: Ids) -> bool:
+    def execute(self, command: int, parameters: list[float], sender: Ids) -> int:
+        if command == mav.MAV_CMD_DO_GIMBAL_MANAGER_CONFIGURE:
+            self._require(parameters[6])
+            self._configure(parameters, sender)
+            return Result.ACCEPTED
+        if command != mav.MAV_CMD_DO_GIMBAL_MANAGER_PITCHYAW:
+            return super().execute(command, parameters, sender)
+        self._require(parameters[6], sender)
+        pitch, yaw, pitch_rate, yaw_rate, flags = parameters[:5]
+        if not 0 <= flags < 1 << 32:
+            raise ValueError("flags")
+        angles, rates = Angles(0.0, pitch, yaw), Angles(0.0, pitch_rate, yaw_rate)
+        return Result.ACCEPTED if self.aim(int(flags), angles, rates) else Result.FAILED
+
+    def _require(self, device_id: float, sender: Optional[Ids] = None) -> None:
+        """Raises ValueError unless this gimbal is meant, and the sender, if one is given, may steer it."""
+        if not self.is_managed or device_id not in (0, ONE_COMPONENT, self.component):
+            raise ValueError("for_others")
         primary, secondary = self._owners
-        return sender == (secondary if primary == NOBODY else primary)
+        owner = secondary if primary == NOBODY else primary
+        if sender not in (None, owner) or sender == NOBODY:
+            raise ValueError("not_in_control")
 
-    def _configure(self, order: Order) -> Result:
-        asked = [order.parameters[0:2], order.parameters[2:4]]
+    def _configure(self, parameters: list[float], sender: Ids) -> None:
         wanted = []
-        for owner, ids in zip(self._owners, asked):
-            if ids in (MYSELF, order.sender):
-                wanted.append(order.sender)
-            elif ids in (NO_LONGER_ME, NOBODY) and owner == order.sender:
+        for owner, asked in zip(self._owners, (tuple(parameters[:2]), tuple(parameters[2:4]))):
+            if asked in (MYSELF, sender):
+                wanted.append(sender)
+            elif asked in (NO_LONGER_ME, NOBODY) and owner == sender:
                 wanted.append(NOBODY)
-            elif ids in (UNCHANGED, NO_LONGER_ME) or ids == owner:
+            elif asked in (UNCHANGED, NO_LONGER_ME, owner):
                 wanted.append(owner)
             else:
-                return Result.DENIED  # nobody decides for others
-        if wanted != self._owners:
-            LOG.info("%s: in control are %s", self._device.name, wanted)
-            self._owners = wanted
-            self.tell(Number.MANAGER_STATUS)
-        return Result.ACCEPTED
+                raise ValueError("of_others")  # nobody decides for them
+        self._own(wanted)
 
-    def _steer(self, name: str, values: Any) -> None:
-        if name == "GIMBAL_MANAGER_SET_ATTITUDE":
-            self._device.steer(values)
-            return
-        given = values.pitch, values.yaw, values.pitch_rate, values.yaw_rate
+    def _own(self, owners: list[Ids]) -> None:
+        if owners != self._owners:
+            LOG.info("%s: in control are %s", self.name, owners)
+            self._owners = owners
+            self.tell("GIMBAL_MANAGER_STATUS")
+
+    def _turn(self, name: str, values: Any) -> None:
+        """Do as SET_PITCHYAW or SET_MANUAL_CONTROL says."""
+        given = [values.pitch, values.yaw, values.pitch_rate, values.yaw_rate]
         if name == "GIMBAL_MANAGER_SET_PITCHYAW":
-            pitch, yaw, pitch_rate, yaw_rate = map(degrees, given)
+            given = [degrees(one) for one in given]
+        elif any(abs(stick) > 1 for stick in given):
+            raise ValueError("range")
         else:
-            if any(abs(stick) > 1 for stick in given):
-                raise ValueError("range")
-            pitch, yaw = self._angle(1, given[0]), self._angle(2, given[1])
-            pitch_rate, yaw_rate = MANUAL_RATE * given[2], MANUAL_RATE * given[3]
-        rates = Angles(0.0, pitch_rate, yaw_rate)
-        self._device.aim(Flags(values.flags), Angles(0.0, pitch, yaw), rates)
-
-    def _angle(self, number: int, stick: float) -> float:
-        """Where a stick points; its end is the limit of the axis."""
-        low, high = self._device.head.steering.limits[number]
-        end = high if stick > 0 else -low
-        return stick * (end if end <= 180 else MANUAL_ANGLE)
+            rates = [MANUAL_RATE * stick for stick in given[2:]]
+            ends = zip(given, self.head.steering.limits[1:])
+            angles = [stick * min(high if stick > 0 else -low, 180) for stick, (low, high) in ends]
+            given = angles + rates
+        self.aim(values.flags, Angles(0.0, *given[:2]), Angles(0.0, *given[2:]))

@@ -1,70 +1,71 @@
-"""Runs vehicles with their gimbals."""
+"""Runs vehicles with their gimbals, or checks the directions of the gimbals."""
 
 from __future__ import annotations
 
 import asyncio
-import logging
 import signal
 from collections.abc import Coroutine
+from pathlib import Path
 from typing import Any
 
+from sbgc import aio
+from sbgc.mavlink import LOG
 from sbgc.mavlink.device import Device
-from sbgc.mavlink.head import Head, Signs
-from sbgc.mavlink.lines import line_of, serve
+from sbgc.mavlink.lines import serve
 from sbgc.mavlink.manager import Manager
-from sbgc.mavlink.options import USUAL_LINE, Settings, key_of
-from sbgc.mavlink.steering import Steering
+from sbgc.mavlink.options import Settings
 from sbgc.mavlink.vehicle import Vehicle
 
-LOG = logging.getLogger("sbgc.mavlink")
-REPORT = 60.0
+TURN, SPEED = 5.0, 5.0  # degrees, and degrees per second
+SEEN = {"roll": "its right side went down", "pitch": "it looked up", "yaw": "it looked right"}
 
 
 async def run(settings: Settings) -> None:
-    """Run until SIGTERM or Ctrl-C, or a cancellation; a rate that has not ended is stopped then.
-
-    Raises ValueError if the address of a line, or a key, is none, and OSError for its file.
-    """
+    """Run until SIGTERM or Ctrl-C. Raises OSError and ValueError for wrong lines and keys."""
     jobs: list[Coroutine[Any, Any, None]] = []
-    vehicles = {}
-    for name, given in settings.vehicles.items():
-        lines = given.line or [USUAL_LINE]
-        for line in lines:
-            line_of(line)
-        vehicle = vehicles[name] = Vehicle(name or "vehicle", given.system, key_of(given.key_file))
-        jobs += [_report(vehicle), *(serve(line, vehicle) for line in lines)]
+    vehicles = {name: Vehicle(name, given) for name, given in settings.vehicles.items()}
+    for name, vehicle in vehicles.items():
+        jobs += [vehicle.report(), *(serve(one, vehicle) for one in settings.vehicles[name].line)]
     for name, given in settings.gimbals.items():
-        vehicle = vehicles[given.vehicle]
-        signs = Signs(given.roll_sign, given.pitch_sign, given.yaw_sign)
-        steering = Steering(given.rate_timeout, given.speed)
-        head = Head(given.port, signs, steering, vehicle.counters, given.arm)
-        device = Device(vehicle, given.component, head, name or given.port, given.rate)
-        jobs += [head.run(), device.run()]
-        if given.manager:
-            jobs.append(Manager(device).run())
+        vehicle, kind = vehicles[given.vehicle], Manager if given.manager else Device
+        device = kind(vehicle, name or given.port, given)
+        vehicle.devices[given.component] = device.take
+        jobs += [device.head.run(), device.run()]
         LOG.info("%s: component %d, at %s", device.name, given.component, given.port)
     tasks = [asyncio.ensure_future(job) for job in jobs]
-    running = asyncio.gather(*tasks)
     for number in (signal.SIGINT, signal.SIGTERM):
-        asyncio.get_running_loop().add_signal_handler(number, running.cancel)
+        asyncio.get_running_loop().add_signal_handler(number, tasks[0].cancel)
     try:
-        await running
-    except asyncio.CancelledError:
-        pass  # which all tasks have got
-    except BaseException:
+        await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
+    finally:
         for task in tasks:
             task.cancel()
-        raise
-    finally:
-        # gather() does not wait for the others; who leaves now cancels the stop of a rate.
+        # Who leaves earlier cancels the stop of a rate.
         await asyncio.gather(*tasks, return_exceptions=True)
+    for task in tasks:
+        if not task.cancelled():
+            task.result()
 
 
-async def _report(vehicle: Vehicle) -> None:
-    """Tell now and then what has been refused."""
-    said: dict[str, int] = {}
+async def check(settings: Settings, path: Path) -> None:
+    """Turn each axis a little, ask what was seen, and write the signs into a configuration file."""
+    for name, gimbal in settings.gimbals.items():
+        print(f"Gimbal {name or gimbal.port}: each axis turns by {TURN:g} degrees and back.")
+        if not await _answer("Are the motors on, and hands and cables clear?"):
+            print("Nothing has turned; its signs stay as they were.")
+            continue
+        async with aio.connect(gimbal.port) as board:
+            for axis, seen in SEEN.items():
+                begin = getattr(await board.angles(), axis)
+                await board.move_to(**{axis: begin + TURN}, speed=SPEED)
+                setattr(gimbal, f"{axis}_sign", 1 if await _answer(f"{axis}: {seen}?") else -1)
+                await board.move_to(**{axis: begin}, speed=SPEED)
+    settings.write(path)
+    print(f"written: {path}")
+
+
+async def _answer(question: str) -> bool:
     while True:
-        await asyncio.sleep(REPORT)
-        if vehicle.counters != said:
-            said = dict(vehicle.counters)
-            LOG.info("%s: refused so far: %s", vehicle.name, said)
+        said = (await asyncio.to_thread(input, f"{question} [y/n] ")).strip().lower()
+        if said in ("y", "yes", "n", "no"):
+            return said[0] == "y"

@@ -8,186 +8,114 @@ All angles are degrees and count as in MAVLink: pitch up, yaw right, roll right.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-from enum import Enum
-from math import isnan, nan
+import time
+from argparse import Namespace
+from math import isnan, nan, remainder
 from typing import NamedTuple, Optional
 
 from sbgc.emulator import Angles
-from sbgc.mavlink.geometry import wrapped
+from sbgc.fields import Axes
+from sbgc.mavlink.geometry import Autopilot
+from sbgc.msg import ControlAxis, ControlExt, ControlMode, ControlModeKind, RealtimeData4
 
 Range = tuple[float, float]
 UNLIMITED: Range = (-1e9, 1e9)
 YAW = 2
 LARGEST = 719.0  # the protocol of the board has no larger angles
-NEAR, STOP = 3.0, 0.15
-"""Degrees around a goal that count as there; seconds that a camera takes to stop."""
+NEAR = 3.0  # degrees around a goal that count as there
+STOP = 0.15  # seconds that a camera takes to stop
 
 
-class Frame(Enum):
-    """What an angle is relative to."""
+class Wish(NamedTuple):
+    """What an axis shall do: turn to an angle, or with a rate. Neither: it holds still."""
 
-    HORIZON = "horizon"
-    """Stabilized: roll and pitch to the horizon, yaw to where the board began."""
-    VEHICLE = "vehicle"
-    """Follows the frame of the gimbal."""
-    NORTH = "north"
-    """Only yaw; what the board needs is known from the autopilot."""
-
-
-@dataclass(frozen=True)
-class Wish:
-    """What an axis shall do: an angle, or a rate. Neither: it holds still."""
-
-    frame: Frame
-    angle: float = nan
+    follows: bool  # the frame of the gimbal; else it is stabilized, yaw from where the board began
+    angle: float = nan  # where a rate began, if it has
     rate: float = nan
-    """Degrees per second."""
+    is_north: bool = False  # yaw counts from north, which the autopilot knows
+    at: float = 0.0  # when it began
 
 
-Setpoint = tuple[Wish, Wish, Wish]
-"""Roll, pitch, yaw."""
-
-
-@dataclass(frozen=True)
-class Sample:
+class Sample(NamedTuple):
     """What the board has measured."""
 
-    at: float
-    """time.monotonic()."""
-    angles: Angles
-    """The camera: to the horizon, yaw to where the board began."""
-    joints: Angles
-    """The motors: 0 when the camera is aligned with the frame."""
+    at: float  # time.monotonic()
+    angles: Angles  # the camera: to the horizon, yaw to where the board began
+    joints: Angles  # the motors: 0 when the camera is aligned with the frame
     are_motors_on: bool
-    errors: int = 0
-    """SYSTEM_ERROR of the board."""
-    is_calibrating: bool = False
+    data: RealtimeData4
 
 
-class Goal(NamedTuple):
-    """What the board is told about an axis."""
-
-    is_relative: bool
-    """The angle is one of the motor."""
-    angle: float
-    speed: float
-    """Degrees per second; 0 is that of the parameters."""
-
-
-@dataclass
-class _Axis:
-    frame: Frame
-    goal: float
-    speed: float = 0.0
-    rate: float = 0.0
-    at: float = 0.0
-    is_direction: bool = False
-    """The goal is a direction, which may be reached over other turns."""
-
-
-@dataclass
 class Steering:
-    """Keeps the newest setpoint of a gimbal. Has no clock."""
+    """Keeps the newest setpoint of a gimbal, with what argparse has found for it."""
 
-    rate_timeout: float = 0.5
-    """Seconds from the last setpoint with a rate until the camera stops."""
-    speed: float = 0.0
-    """Degrees per second towards an angle; 0 is that of the parameters."""
-    limits: tuple[Range, Range, Range] = (UNLIMITED, UNLIMITED, UNLIMITED)
-    limited: list[bool] = field(default_factory=lambda: [False, False, False])
-    """The axes whose goals are beyond their limits."""
-    _axes: Optional[list[_Axis]] = None
+    def __init__(self, given: Namespace) -> None:
+        self.signs = Angles(given.roll_sign, given.pitch_sign, given.yaw_sign)
+        self._rate_timeout: float = given.rate_timeout
+        self._speed: float = given.speed
+        self.limits = [UNLIMITED] * 3
+        self.clear()
 
     def clear(self) -> None:
-        self._axes = None
-        self.limited = [False, False, False]
-
-    @property
-    def frames(self) -> Optional[list[Frame]]:
-        return None if self._axes is None else [axis.frame for axis in self._axes]
+        self.wishes: list[Wish] = []  # for roll, pitch and yaw
+        self.limited = [False] * 3  # the axes whose goals are beyond their limits
 
     @property
     def needs_repetition(self) -> bool:
         """True if the board has to be told again where an axis belongs that follows something."""
-        return self.frames is not None and any(one is not Frame.HORIZON for one in self.frames)
+        return any(wish.follows or wish.is_north for wish in self.wishes)
 
-    def is_turning(self, now: float) -> bool:
+    @property
+    def is_turning(self) -> bool:
         """True while a rate has not ended."""
-        axes = self._axes or []
-        return any(axis.rate and now - axis.at < self.rate_timeout for axis in axes)
+        ended = time.monotonic() - self._rate_timeout
+        return any(wish.rate and wish.at > ended for wish in self.wishes)
 
-    def set(self, setpoint: Setpoint, sample: Sample, now: float) -> None:
-        before: list[Optional[_Axis]] = [None] * 3 if self._axes is None else [*self._axes]
-        self._axes = [
-            self._axis(number, wish, before[number], sample, now)
-            for number, wish in enumerate(setpoint)
-        ]
+    def set(self, wishes: list[Wish], sample: Sample) -> None:
+        old = self.wishes or (None, None, None)
+        self.wishes = [self._begun(n, wish, old[n], sample) for n, wish in enumerate(wishes)]
 
-    def _axis(
-        self, number: int, wish: Wish, before: Optional[_Axis], sample: Sample, now: float
-    ) -> _Axis:
+    def _begun(self, number: int, wish: Wish, old: Optional[Wish], sample: Sample) -> Wish:
+        now, rate = time.monotonic(), 0.0 if isnan(wish.rate) else wish.rate
         if not isnan(wish.angle):
-            return _Axis(wish.frame, wish.angle, self.speed, 0.0, now, number == YAW)
-        rate = 0.0 if isnan(wish.rate) else wish.rate
-        frame = Frame.HORIZON if wish.frame is Frame.NORTH else wish.frame
-        measured = (sample.joints if frame is Frame.VEHICLE else sample.angles)[number]
-        start = measured
-        if before is not None and before.frame is frame:
-            led = before.goal + before.rate * min(now - before.at, self.rate_timeout)
-            off = wrapped(led - measured) if before.is_direction else led - measured
-            if (
-                before.rate
-            ):  # it may not get ahead of a camera that is held, and not run on when it stops
-                slack = abs(before.rate) * (self.rate_timeout if rate else STOP) + NEAR
-                start = measured + max(-slack, min(slack, off))
+            return wish._replace(rate=0.0, at=now)
+        start = (sample.joints if wish.follows else sample.angles)[number]
+        if old is not None and old.follows == wish.follows and not old.is_north:
+            led = old.rate * min(now - old.at, self._rate_timeout)
+            off = remainder(old.angle + led - start, 360)
+            if old.rate:  # not ahead of a camera that is held, and not on when it stops
+                slack = abs(old.rate) * (self._rate_timeout if rate else STOP) + NEAR
+                start += max(-slack, min(slack, off))
             elif abs(off) < NEAR:
-                start = measured + off
-        return _Axis(frame, start, abs(rate), rate, now)
+                start += off
+        return Wish(wish.follows, start, rate, at=now)
 
-    def goals(
-        self, sample: Sample, north: Optional[float], turn: float = 0.0
-    ) -> Optional[list[Goal]]:
-        """What the board shall be told now; None if nothing.
+    def control(self, sample: Sample, autopilot: Autopilot) -> ControlExt:
+        """What the board shall be told now."""
+        modes, targets = [], []
+        for number, wish in enumerate(self.wishes):
+            speed = abs(wish.rate) or self._speed
+            if number == YAW and speed and wish.follows:  # it has to keep up with the vehicle
+                speed += abs(autopilot.turn)
+            angle = self.signs[number] * self._goal(number, wish, sample, autopilot.north)
+            target = ControlAxis(speed=speed, angle=angle)
+            if speed and not target.speed_raw:
+                target.speed_raw = 1  # the slowest; 0 would be the speed of the parameters
+            kinds = ControlModeKind.MODE_ANGLE, ControlModeKind.MODE_ANGLE_REL_FRAME
+            modes.append(ControlMode(kinds[wish.follows]))
+            targets.append(target)
+        return ControlExt(control_mode=Axes(*modes), axes=Axes(*targets))
 
-        `north` is the heading where the board's yaw is 0, if known; `turn` is the rate of the vehicle,
-        which an axis that follows it has to keep up with.
-        """
-        if self._axes is None:
-            return None
-        return [
-            self._goal(number, axis, sample, north, turn) for number, axis in enumerate(self._axes)
-        ]
-
-    def _goal(
-        self, number: int, axis: _Axis, sample: Sample, north: Optional[float], turn: float
-    ) -> Goal:
-        is_relative = axis.frame is Frame.VEHICLE
-        wanted = axis.goal + axis.rate * self.rate_timeout
-        if number != YAW:
-            angle = self._within(number, wanted)
-            return Goal(is_relative, max(-LARGEST, min(LARGEST, angle)), axis.speed)
-        # The joint has the limits.
-        joint = sample.joints.yaw
-        offset = 0.0 if is_relative else sample.angles.yaw - joint
-        if axis.frame is Frame.NORTH and north is not None:
-            wanted -= north
-        target = wanted - offset
-        if axis.is_direction:
-            target = self._nearest(target, joint)
-        angle = self._within(YAW, target) + offset
-        speed = axis.speed + abs(turn) if axis.speed and is_relative else axis.speed
-        return Goal(is_relative, max(-LARGEST, min(LARGEST, angle)), speed)
-
-    def _within(self, number: int, angle: float) -> float:
+    def _goal(self, number: int, wish: Wish, sample: Sample, north: float) -> float:
+        angle, offset = wish.angle + wish.rate * self._rate_timeout, 0.0
+        if number == YAW and not wish.follows:  # its limits are those of the joint
+            offset = sample.angles.yaw - sample.joints.yaw
+            angle -= offset + (north if wish.is_north else 0.0)
         low, high = self.limits[number]
-        found = max(low, min(high, angle))
-        self.limited[number] = abs(found - angle) > 0.5
-        return found
-
-    def _nearest(self, angle: float, joint: float) -> float:
-        """The shortest way within the limits."""
-        low, high = self.limits[YAW]
-        near = joint + wrapped(angle - joint)
-        ways = [way for way in (near, near - 360, near + 360) if low <= way <= high]
-        return min(ways, key=lambda way: abs(way - joint)) if ways else near
+        if number == YAW and not wish.rate:  # the shortest way within the limits
+            near = sample.joints.yaw + remainder(angle - sample.joints.yaw, 360)
+            ways = [way for way in (near, near - 360, near + 360) if low <= way <= high]
+            angle = min(ways, key=lambda way: abs(way - sample.joints.yaw), default=near)
+        within = max(low, min(high, angle))
+        self.limited[number] = abs(within - angle) > 0.5
+        return max(-LARGEST, min(LARGEST, within + offset))

@@ -1,148 +1,136 @@
-"""The system that gimbals belong to: who is heard, and which messages are for whom."""
+"""The system that gimbals belong to, and its lines: who is heard, and which messages are for whom."""
 
 from __future__ import annotations
 
-import logging
+import asyncio
 import time
+from argparse import Namespace
 from collections import Counter
 from collections.abc import Callable
-from math import isinf
-from typing import TYPE_CHECKING, Any, Optional, TypeVar
+from math import inf
+from typing import Any
 
-from sbgc.mavlink.codec import Codec, Message
-from sbgc.mavlink.protocol import AUTOPILOT, Ids
+from sbgc.mavlink import LOG
+from sbgc.mavlink.codec import Codec, Ids, Message, mav
+from sbgc.mavlink.options import key_of
 
-if TYPE_CHECKING:
-    from sbgc.mavlink.device import Device
-
-T = TypeVar("T")
-LOG = logging.getLogger("sbgc.mavlink")
-WANTED = frozenset(
-    """HEARTBEAT COMMAND_LONG COMMAND_INT PARAM_REQUEST_LIST PARAM_REQUEST_READ PARAM_SET
-    GIMBAL_DEVICE_SET_ATTITUDE AUTOPILOT_STATE_FOR_GIMBAL_DEVICE
-    GIMBAL_MANAGER_INFORMATION GIMBAL_MANAGER_STATUS GIMBAL_MANAGER_SET_ATTITUDE
-    GIMBAL_MANAGER_SET_PITCHYAW GIMBAL_MANAGER_SET_MANUAL_CONTROL""".split()
-)
-GROUND_STATION, NO_AUTOPILOT = 6, 8
-USUAL = 1  # the system that an autopilot is if nobody has changed it
+SEQUENCES = 256
+PEERS = 8  # how many senders of datagrams are answered: the last ones
+QUEUE = 16384  # bytes that may wait; what does not fit would be old when it leaves
+AUTOPILOT = 1  # its component, and its system if nobody has changed it
+GROUND_STATION, NONE = mav.MAV_TYPE_GCS, mav.MAV_AUTOPILOT_INVALID
 SILENCE = 5.0  # seconds without a message after which somebody is gone
-MOST_SENDERS, SEQUENCES = 256, 256
+REPORT = 60.0
 
 
 class Vehicle:
-    """One system of MAVLink. `system` is its id; 0 takes that of the autopilot that is heard first.
+    """One system of MAVLink. Its id is that of the autopilot that is heard first, unless one is given.
 
     `counters` counts, by reason, what has been refused: noise, damaged, truncated, signature, late, echo,
-    not_finite, for_others, and what the gimbals refuse.
+    for_others, and what the gimbals refuse.
     """
 
-    def __init__(self, name: str, system: int = 0, key: Optional[bytes] = None) -> None:
-        self.name, self.system = name, system
+    def __init__(self, name: str, given: Namespace) -> None:
+        self.name, self.system, self.key = name or "vehicle", given.system, key_of(given.key_file)
         self.counters: Counter[str] = Counter()
-        self.devices: dict[int, Device] = {}
-        self._key, self._is_given = key, system != 0
-        self._channels: list[Channel] = []
+        self.lines: list[Line] = []
+        # What takes the messages for a component. Raises ValueError with the reason of a refusal.
+        self.devices: dict[int, Callable[[Message], None]] = {}
+        self._is_given = bool(given.system)
         self._sequences: Counter[int] = Counter()
         self._heard: dict[Ids, float] = {}
-        self._began = time.monotonic()
-        self._encoder = Codec(WANTED, key, self.counters)
+        self._encoder = Codec(self.key, self.counters)
 
-    def join(self, write: Callable[[bytes], object], is_datagram: bool) -> Channel:
-        codec = Codec(WANTED, self._key, self.counters)
-        self._channels.append(Channel(self, write, codec, is_datagram))
-        return self._channels[-1]
-
-    def leave(self, channel: Channel) -> None:
-        self._channels.remove(channel)
-
-    @property
-    def milliseconds(self) -> int:
-        """The time that messages carry."""
-        return int((time.monotonic() - self._began) * 1000) & 0xFFFFFFFF
+    async def report(self) -> None:
+        """Tell now and then what has been refused."""
+        while True:
+            await asyncio.sleep(REPORT)
+            if self.counters:
+                LOG.info("%s: refused in the last minute: %s", self.name, dict(self.counters))
+            self.counters.clear()
 
     def hears(self, sender: Ids) -> bool:
         """True unless this component has been silent for five seconds."""
-        return time.monotonic() - self._heard.get(sender, -SILENCE) < SILENCE
+        return time.monotonic() - self._heard.get(sender, -inf) < SILENCE
 
     def send(self, component: int, name: str, **fields: Any) -> None:
-        """Send a message of a component to all lines.
-
-        Before the system's id is known, only heartbeats, to wake those who have sent nothing.
-        """
-        if not self.system and name != "HEARTBEAT":
-            return
-        sender, sequence = (self.system or USUAL, component), self._sequences[component]
+        """Send a message to all lines; before the system is known, only heartbeats, to wake the silent."""
+        lines = [line for line in self.lines if self.system or line.is_new and name == "HEARTBEAT"]
+        sender, sequence = (self.system or AUTOPILOT, component), self._sequences[component]
         self._sequences[component] = (sequence + 1) % SEQUENCES
-        data = self._encoder.encode(name, sender, sequence, **fields)
-        for channel in self._channels:
-            if self.system or channel.is_new:
-                channel.write(data)
+        data = self._encoder.to_bytes(name, sender, sequence, **fields)
+        for line in lines:
+            line.write(data)
 
     def take(self, message: Message) -> None:
         """Give a message to the devices for whom it is."""
-        values, is_beat = message.values, message.name == "HEARTBEAT"
-        if message.system == self.system and message.component in self.devices:
+        (system, component), values = message.sender, message.values
+        if system == self.system and component in self.devices:
             self.counters["echo"] += 1
             return
-        _note(self._heard, message.sender, time.monotonic())
-        if is_beat and message.component == AUTOPILOT and values.autopilot != NO_AUTOPILOT:
-            self._take_autopilot(message)
-        if is_beat or not self.system:
+        self._heard[message.sender] = time.monotonic()
+        if message.name == "HEARTBEAT" and component == AUTOPILOT and not self._is_given:
+            is_one = values.type != GROUND_STATION and values.autopilot != NONE
+            if is_one and system != self.system and not self.hears((self.system, AUTOPILOT)):
+                LOG.info("%s: the autopilot is system %d", self.name, system)
+                self.system = system
+        if not self.system:
             return
         to = getattr(values, "target_component", 0)
-        if getattr(values, "target_system", 0) not in (0, self.system):
+        is_near = getattr(values, "target_system", 0) in (0, self.system)
+        if not is_near or to and to not in self.devices:
             self.counters["for_others"] += 1
-        elif to and to not in self.devices:
-            self.counters["for_others"] += 1
-        elif any(isinf(one) for one in message.numbers):
-            self.counters["not_finite"] += 1
-        else:
-            for device in [self.devices[to]] if to else self.devices.values():
-                device.take(message)
-
-    def _take_autopilot(self, message: Message) -> None:
-        if self._is_given or message.values.type == GROUND_STATION:
             return
-        if message.system != self.system and not self.hears((self.system, AUTOPILOT)):
-            LOG.info("%s: the autopilot is system %d", self.name, message.system)
-            self.system = message.system
+        for take in [self.devices[to]] if to else self.devices.values():
+            try:
+                take(message)
+            except ValueError as error:
+                self.counters[str(error)] += 1
 
 
-class Channel:
-    """One line, or one sender of datagrams."""
+class Line(asyncio.Protocol, asyncio.DatagramProtocol):
+    """One connection, or the datagrams of several peers."""
 
-    def __init__(
-        self, vehicle: Vehicle, write: Callable[[bytes], object], codec: Codec, is_datagram: bool
-    ) -> None:
-        self.write, self.is_new = write, True
-        self._vehicle, self._codec, self._is_datagram = vehicle, codec, is_datagram
-        self._last: dict[Ids, tuple[int, float]] = {}
+    transport: Any
 
-    def receive(self, data: bytes) -> None:
+    def __init__(self, vehicle: Vehicle, kind: str = "") -> None:
+        self.lost, self.is_new = asyncio.get_running_loop().create_future(), True
+        self._vehicle, self._codec = vehicle, Codec(vehicle.key, vehicle.counters)
+        self._is_datagram, self._is_open = kind.startswith("udp"), kind in ("udp", "udpin")
+        # Has the last sequence of each sender, and when it came.
+        self._peers: dict[Any, dict[Ids, tuple[int, float]]] = {} if self._is_open else {None: {}}
+
+    def connection_made(self, transport: Any) -> None:
+        self.transport = transport
+        self._vehicle.lines.append(self)
+
+    def connection_lost(self, exc: object) -> None:
+        self._vehicle.lines.remove(self)
+        if not self.lost.done():
+            self.lost.set_result(None)
+
+    def write(self, data: bytes) -> None:
+        if self._is_datagram:
+            for peer in self._peers:
+                self.transport.sendto(data, peer)
+        elif self.transport.get_write_buffer_size() < QUEUE:
+            self.transport.write(data)
+
+    def datagram_received(self, data: bytes, addr: Any) -> None:
+        self.data_received(data, addr if self._is_open else None)
+
+    def data_received(self, data: bytes, peer: Any = None) -> None:
         self.is_new = False
-        for message in self._codec.decode(data, self._is_datagram):
-            if self._is_late(message):
+        self._peers[peer] = last = self._peers.pop(peer, {})
+        if len(self._peers) > PEERS:  # the one that has been silent for longest
+            del self._peers[next(iter(self._peers))]
+        for message in self._codec.messages(data, self._is_datagram):
+            now = time.monotonic()
+            sequence, at = last.get(message.sender, (0, -inf))
+            behind = (sequence - message.sequence) % SEQUENCES
+            # A sender that restarts begins at 0; it is late for a second at most.
+            if behind < SEQUENCES // 2 and now - at < 1:
                 self._vehicle.counters["late"] += 1
-            else:
-                self._vehicle.take(message)
-
-    def _is_late(self, message: Message) -> bool:
-        """True for a duplicate, and for what a later message of its sender has overtaken.
-
-        A sender that restarts begins at 0; it is late for a second at most.
-        """
-        now = time.monotonic()
-        sequence, at = self._last.get(message.sender, (0, -1e9))
-        if (sequence - message.sequence) % SEQUENCES < SEQUENCES // 2 and now - at < 1:
-            return True
-        _note(self._last, message.sender, (message.sequence, now))
-        return False
-
-
-def _note(table: dict[Ids, T], sender: Ids, value: T) -> None:
-    """Note what is known of a sender, and forget that of whom nothing was noted for longest."""
-    if sender in table:
-        del table[sender]
-    elif len(table) >= MOST_SENDERS:
-        del table[next(iter(table))]
-    table[sender] = value
+                continue
+            last[message.sender] = message.sequence, now
+            self._vehicle.take(message)
