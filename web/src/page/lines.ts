@@ -5,11 +5,11 @@ import { axisNames, axisNumbers } from "./axes.js";
 import { faultTexts, lineFaults, type Emulation } from "./emulation.js";
 
 export const languages = [
-  { key: "command", title: "Command" },
-  { key: "cpp", title: "C++" },
-  { key: "python", title: "Python" },
+  ["command", "Command"],
+  ["cpp", "C++"],
+  ["python", "Python"],
 ] as const;
-export type Language = (typeof languages)[number]["key"];
+export type Language = (typeof languages)[number][0];
 
 /** "" where there is no such line. */
 export type Lines = Record<Language, string>;

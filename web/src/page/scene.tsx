@@ -6,7 +6,7 @@ import { useEffect, useRef, useState } from "preact/hooks";
 import type { View } from "../worker_messages.js";
 import type { Direction } from "./attitude.js";
 import { anglesWords } from "./axes.js";
-import { everySecond, useSession } from "./session.js";
+import { everySecond, useDesk } from "./session.js";
 import { onThemeChange } from "./theme.js";
 import type { View3D } from "./view3d.js";
 
@@ -24,7 +24,7 @@ const whenIdle = (call: () => void): void => {
 };
 
 export function GimbalView() {
-  const session = useSession();
+  const { session } = useDesk();
   const canvas = useRef<HTMLCanvasElement>(null);
   const [problem, setProblem] = useState("");
   useEffect(() => {

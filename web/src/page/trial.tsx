@@ -3,13 +3,11 @@
 import { useEffect, useState } from "preact/hooks";
 
 import type { LoggedFrame } from "../worker_messages.js";
-import { useDesk } from "./actions.js";
 import { FrameEntry } from "./log.js";
-import { useSession, type Done } from "./session.js";
+import { useDesk, type Done } from "./session.js";
 
 export function Trial({ hex, onClose }: { hex: string; onClose: () => void }) {
-  const session = useSession();
-  const { isReady } = useDesk();
+  const { session, isReady } = useDesk();
   const [request, setRequest] = useState<LoggedFrame | null>(null);
   const [problem, setProblem] = useState("");
   const [answer, setAnswer] = useState<Done | null>(null);
