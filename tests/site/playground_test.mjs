@@ -358,6 +358,26 @@ test("it is usable without a network, once it was open", async () => {
   await context.close();
 });
 
+test("it says when a newer version is there, and goes over to it", async () => {
+  const context = await browser.newContext();
+  const page = await context.newPage();
+  await page.goto(`${server.address}playground.html`);
+  await page.evaluate(async () => (await navigator.serviceWorker.ready).active.state);
+  await page.reload(); // under the service worker
+  await button(page, "Motors on").and(page.locator(":enabled")).waitFor();
+  assert.equal(await button(page, "Use it").count(), 0);
+  const old = fs.readFileSync(path.join(site, "service-worker.js"), "utf8");
+  const fingerprint = /"([0-9a-f]{16})"/.exec(old)[1];
+  server.changed["/service-worker.js"] = old.replace(fingerprint, "0123456789abcdef");
+  await page.reload();
+  await Promise.all([page.waitForEvent("load"), button(page, "Use it").click()]);
+  await button(page, "Motors on").and(page.locator(":enabled")).waitFor();
+  const caches = await page.evaluate(async () => (await globalThis.caches.keys()).map((name) => name.split(" ").at(-1)));
+  assert.deepEqual(caches, ["0123456789abcdef"]);
+  delete server.changed["/service-worker.js"];
+  await context.close();
+});
+
 test("it is light: what comes first, and all of it", () => {
   const sizes = Object.fromEntries(
     fs.readdirSync(path.join(site, "assets/playground")).map((name) => [
