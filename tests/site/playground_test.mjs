@@ -222,6 +222,11 @@ test("a bad link is refused in words, and nothing of it is used", async () => {
   }
 });
 
+test("the link that skips to the content is no bad link", async () => {
+  const work = async (page) => assert.equal(await page.getByRole("alert").count(), 0);
+  await play(work, { hash: "#main" });
+});
+
 test("opening a link fills in its values and sends nothing", async () => {
   const frame = "3e56005600"; // a request for CMD_BOARD_INFO
   await play(async (page) => {

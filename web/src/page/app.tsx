@@ -24,6 +24,9 @@ const changePause = 200;
 const isTyping = (target: EventTarget | null): boolean =>
   target instanceof Element && target.closest(".search, .menu") !== null;
 
+/** The skip link of the site has an address of its own. */
+const linkInAddress = (): string => (location.hash === "#main" ? "" : location.hash);
+
 interface Outcome {
   text: string;
   isBad: boolean;
@@ -31,7 +34,7 @@ interface Outcome {
 
 export function App({ session }: { session: Session }) {
   const [{ first, refusal }] = useState(() => {
-    const read = readLink(location.hash);
+    const read = readLink(linkInAddress());
     return typeof read === "string"
       ? { first: usualValues(), refusal: read }
       : { first: read, refusal: "" };
@@ -82,8 +85,9 @@ export function App({ session }: { session: Session }) {
       if (event.key === "Escape" && !isTyping(event.target)) void run(stop, "Stop");
     };
     const address = (): void => {
-      if (location.hash.length < 2 || location.hash === "#main") return;
-      const read = readLink(location.hash);
+      const link = linkInAddress();
+      if (!link) return;
+      const read = readLink(link);
       setRefused(typeof read === "string" ? read : "");
       if (typeof read !== "string") setValues(read);
     };
