@@ -53,9 +53,7 @@ def parts_of(name: str) -> tuple[str, ...]:
 
 def version_of(package: str) -> str:
     """The version of an installed package, or of one of npm; "" for none."""
-    of_npm = json.loads(
-        (Path(__file__).parent.parent / "web/package.json").read_text("utf-8")
-    )
+    of_npm = json.loads((Path(__file__).parent.parent / "web/package.json").read_text("utf-8"))
     if package in of_npm["devDependencies"]:
         return str(of_npm["devDependencies"][package])
     command = ["dpkg-query", "-W", "-f", "${Version}", package]

@@ -222,6 +222,11 @@ test("a bad link is refused in words, and nothing of it is used", async () => {
   }
 });
 
+test("the link that skips to the content is no bad link", async () => {
+  const work = async (page) => assert.equal(await page.getByRole("alert").count(), 0);
+  await play(work, { hash: "#main" });
+});
+
 test("opening a link fills in its values and sends nothing", async () => {
   const frame = "3e56005600"; // a request for CMD_BOARD_INFO
   await play(async (page) => {
@@ -299,10 +304,15 @@ test("the lines of C++ compile, and those of the command are known to it", async
     const functions = (await lines()).map((text, n) => `sbgc::Result<void> f${n}(sbgc::Client& client) {\n${text}\nreturn {};\n}`);
     assert.ok(functions.length > 6);
     const headers = ["client/client", "client/motion", "client/speed_control", "doctor/findings", "doctor/measure", "messages/control"];
-    const program = [...headers.map((one) => `#include <sbgc/${one}.hpp>`), "#include <chrono>\n#include <cstdio>\n#include <thread>",
-      "using namespace sbgc::literals;\nusing namespace std::chrono_literals;", ...functions].join("\n");
-    const folders = ["core", "session", "tasks", "any", "io", "client", "analysis", "doctor"].map((one) => `-I${path.join(root, "runtime", one, "include")}`);
-    const made = spawnSync("g++", ["-std=c++20", "-fsyntax-only", "-Wall", `-I${path.join(root, "generated/include")}`, ...folders, "-x", "c++", "-"], { input: program });
+    const program = [
+      ...headers.map((one) => `#include <sbgc/${one}.hpp>`),
+      "#include <chrono>\n#include <cstdio>\n#include <thread>",
+      "using namespace sbgc::literals;\nusing namespace std::chrono_literals;",
+      ...functions,
+    ].join("\n");
+    const libraries = ["core", "session", "tasks", "any", "io", "client", "analysis", "doctor"];
+    const folders = [...libraries.map((one) => `runtime/${one}/include`), "generated/include"].map((one) => `-I${path.join(root, one)}`);
+    const made = spawnSync("g++", ["-std=c++20", "-fsyntax-only", "-Wall", ...folders, "-x", "c++", "-"], { input: program });
     assert.equal(made.stderr.toString(), "");
   });
 });
@@ -350,6 +360,26 @@ test("it is usable without a network, once it was open", async () => {
   await button(page, "Motors on").and(page.locator(":enabled")).click();
   await outcome(page, "Motors on: done");
   await page.waitForFunction(() => globalThis.sbgcPlayground.opticalAxis());
+  await context.close();
+});
+
+test("it says when a newer version is there, and goes over to it", async () => {
+  const context = await browser.newContext();
+  const page = await context.newPage();
+  await page.goto(`${server.address}playground.html`);
+  await page.evaluate(async () => (await navigator.serviceWorker.ready).active.state);
+  await page.reload(); // under the service worker
+  await button(page, "Motors on").and(page.locator(":enabled")).waitFor();
+  assert.equal(await button(page, "Use it").count(), 0);
+  const old = fs.readFileSync(path.join(site, "service-worker.js"), "utf8");
+  const fingerprint = /"([0-9a-f]{16})"/.exec(old)[1];
+  server.changed["/service-worker.js"] = old.replace(fingerprint, "0123456789abcdef");
+  await page.reload();
+  await Promise.all([page.waitForEvent("load"), button(page, "Use it").click()]);
+  await button(page, "Motors on").and(page.locator(":enabled")).waitFor();
+  const caches = await page.evaluate(async () => (await globalThis.caches.keys()).map((name) => name.split(" ").at(-1)));
+  assert.deepEqual(caches, ["0123456789abcdef"]);
+  delete server.changed["/service-worker.js"];
   await context.close();
 });
 

@@ -82,18 +82,19 @@ export async function launch(args = []) {
   return chromium.launch({ executablePath, chromiumSandbox: false, args });
 }
 
-/** Serves the site; `address` is where, and `close` ends it. */
+/** Serves the site; `address` is where, and `close` ends it. `changed` has files that differ, by their paths. */
 export async function serve() {
   const types = { html: "text/html", js: "text/javascript", css: "text/css", wasm: "application/wasm", svg: "image/svg+xml" };
+  const changed = {};
   const server = http.createServer((request, response) => {
     const name = decodeURIComponent(new URL(request.url, "http://site").pathname);
     fs.readFile(path.join(site, path.normalize(name)), (error, content) => {
       const type = types[path.extname(name).slice(1)] ?? "application/octet-stream";
-      response.writeHead(error ? 404 : 200, { "content-type": type }).end(content);
+      response.writeHead(error ? 404 : 200, { "content-type": type }).end(changed[name] ?? content);
     });
   });
   await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
-  return { address: `http://127.0.0.1:${server.address().port}/`, close: () => server.closeAllConnections() ?? server.close() };
+  return { address: `http://127.0.0.1:${server.address().port}/`, changed, close: () => server.closeAllConnections() ?? server.close() };
 }
 
 /** Calls `work(page, item)` for each item, in one page: pages side by side take more processor time. */

@@ -1,43 +1,10 @@
 // Buttons with the lines that do the same elsewhere.
 
-import { createContext, Fragment, type ComponentChildren } from "preact";
-import { useContext, useState } from "preact/hooks";
+import { Fragment, type ComponentChildren } from "preact";
+import { useState } from "preact/hooks";
 
-import { languages, type Action, type Language, type Lines } from "./lines.js";
-
-/** What the buttons need from the page. */
-export interface Desk {
-  language: Language;
-  isReady: boolean;
-  run: (action: Action, label: string) => void;
-}
-const Context = createContext<Desk | null>(null);
-export const DeskProvider = Context.Provider;
-
-export function useDesk(): Desk {
-  const desk = useContext(Context);
-  if (!desk) throw new Error("no desk");
-  return desk;
-}
-
-export function LanguageChoice(props: { language: Language; onChange: (one: Language) => void }) {
-  return (
-    <fieldset class="languages">
-      <legend>Lines to take home</legend>
-      {languages.map(({ key, title }) => (
-        <label key={key}>
-          <input
-            type="radio"
-            name="language"
-            checked={props.language === key}
-            onChange={() => props.onChange(key)}
-          />
-          <span>{title}</span>
-        </label>
-      ))}
-    </fieldset>
-  );
-}
+import type { Action, Language, Lines } from "./lines.js";
+import { useDesk } from "./session.js";
 
 const missing: Record<Language, string> = {
   command: "The command has no line for this.",

@@ -2,20 +2,19 @@
 
 import { useEffect, useRef, useState } from "preact/hooks";
 
-import { DeskProvider, LanguageChoice, type Desk } from "./actions.js";
 import { Charts } from "./charts.js";
-import { BoardPanel, MovePanel, TurnPanel } from "./controls.js";
+import { BoardPanel, MotionPanel, MovePanel, TurnPanel } from "./controls.js";
 import { DoctorPanel } from "./doctor.js";
 import { optionsOf } from "./emulation.js";
 import { FaultPanel } from "./faults.js";
 import { Horizons } from "./horizon.js";
-import { stop, type Action, type Language } from "./lines.js";
+import { Choice } from "./inputs.js";
+import { languages, stop, type Action, type Language } from "./lines.js";
 import { Log } from "./log.js";
-import { MotionPanel } from "./motion.js";
 import { Numbers } from "./numbers.js";
 import { Offline } from "./offline.js";
 import { GimbalView } from "./scene.js";
-import { SessionProvider, type Session } from "./session.js";
+import { DeskContext, type Desk, type Session } from "./session.js";
 import { Status } from "./status.js";
 import { Trial } from "./trial.js";
 import { emulationOf, linkOf, readLink, usualValues, type Values } from "./values.js";
@@ -25,6 +24,9 @@ const changePause = 200;
 const isTyping = (target: EventTarget | null): boolean =>
   target instanceof Element && target.closest(".search, .menu") !== null;
 
+/** The skip link of the site has an address of its own. */
+const linkInAddress = (): string => (location.hash === "#main" ? "" : location.hash);
+
 interface Outcome {
   text: string;
   isBad: boolean;
@@ -32,7 +34,7 @@ interface Outcome {
 
 export function App({ session }: { session: Session }) {
   const [{ first, refusal }] = useState(() => {
-    const read = readLink(location.hash);
+    const read = readLink(linkInAddress());
     return typeof read === "string"
       ? { first: usualValues(), refusal: read }
       : { first: read, refusal: "" };
@@ -83,8 +85,9 @@ export function App({ session }: { session: Session }) {
       if (event.key === "Escape" && !isTyping(event.target)) void run(stop, "Stop");
     };
     const address = (): void => {
-      if (location.hash.length < 2 || location.hash === "#main") return;
-      const read = readLink(location.hash);
+      const link = linkInAddress();
+      if (!link) return;
+      const read = readLink(link);
       setRefused(typeof read === "string" ? read : "");
       if (typeof read !== "string") setValues(read);
     };
@@ -103,55 +106,64 @@ export function App({ session }: { session: Session }) {
     session.start(optionsOf(emulationOf(values)));
     session.pace(pace);
   };
-  const desk: Desk = { language, isReady: identity !== "", run: (action, label) => void run(action, label) };
+  const desk: Desk = {
+    session,
+    language,
+    isReady: identity !== "",
+    run: (action, label) => void run(action, label),
+  };
   return (
-    <SessionProvider value={session}>
-      <DeskProvider value={desk}>
-        <Offline />
-        {failure && (
-          <div class="note bad" role="alert">
-            <p>The gimbal cannot run here: {failure}</p>
-          </div>
-        )}
-        {refused && (
-          <div class="note warn" role="alert">
-            <p>The link is refused, and nothing of it is used: {refused}.</p>
-          </div>
-        )}
-        <Status
-          identity={identity}
-          pace={pace}
-          onPace={setPace}
-          onRestart={restart}
-          onStop={() => void run(stop, "Stop")}
-        />
-        {values.send && (
-          <Trial key={values.send} hex={values.send} onClose={() => set({ send: "" })} />
-        )}
-        <div class="bench">
-          <div class="stage">
-            <GimbalView />
-            <Horizons />
-            <Numbers />
-            <p class={outcome.isBad ? "outcome bad" : "outcome"} role="status">
-              {outcome.text || notice}
-            </p>
-          </div>
-          <div class="panels">
-            <LanguageChoice language={language} onChange={setLanguage} />
-            <BoardPanel values={values} set={set} />
-            <MovePanel values={values} set={set} />
-            <TurnPanel values={values} set={set} />
-            <MotionPanel values={values} set={set} />
-          </div>
+    <DeskContext.Provider value={desk}>
+      <Offline />
+      {failure && (
+        <div class="note bad" role="alert">
+          <p>The gimbal cannot run here: {failure}</p>
         </div>
-        <FaultPanel values={values} set={set} />
-        <DoctorPanel />
-        <Charts />
-        <Log />
-        <Share values={values} />
-      </DeskProvider>
-    </SessionProvider>
+      )}
+      {refused && (
+        <div class="note warn" role="alert">
+          <p>The link is refused, and nothing of it is used: {refused}.</p>
+        </div>
+      )}
+      <Status
+        identity={identity}
+        pace={pace}
+        onPace={setPace}
+        onRestart={restart}
+        onStop={() => void run(stop, "Stop")}
+      />
+      {values.send && (
+        <Trial key={values.send} hex={values.send} onClose={() => set({ send: "" })} />
+      )}
+      <div class="bench">
+        <div class="stage">
+          <GimbalView />
+          <Horizons />
+          <Numbers />
+          <p class={outcome.isBad ? "outcome bad" : "outcome"} role="status">
+            {outcome.text || notice}
+          </p>
+        </div>
+        <div class="panels">
+          <Choice
+            class="languages"
+            legend="Lines to take home"
+            options={languages}
+            value={language}
+            onChange={setLanguage}
+          />
+          <BoardPanel values={values} set={set} />
+          <MovePanel values={values} set={set} />
+          <TurnPanel values={values} set={set} />
+          <MotionPanel values={values} set={set} />
+        </div>
+      </div>
+      <FaultPanel values={values} set={set} />
+      <DoctorPanel />
+      <Charts />
+      <Log />
+      <Share values={values} />
+    </DeskContext.Provider>
   );
 }
 

@@ -1,5 +1,5 @@
-// Directions in space as a camera sees them. Yaw turns about the vertical, then roll, then pitch;
-// positive pitch lowers the front, positive yaw turns it right, positive roll lowers the right side.
+// Directions in space as a camera sees them. Yaw turns about the vertical, then roll, then pitch.
+// Positive pitch lowers the front, positive yaw turns it right, positive roll lowers the right.
 
 import type { Axes } from "../worker_messages.js";
 

@@ -6,7 +6,7 @@ import type { View } from "../worker_messages.js";
 import { anglesWords, axisNames } from "./axes.js";
 import { History } from "./history.js";
 import type { Plot } from "./plot.js";
-import { everySecond, useSession } from "./session.js";
+import { everySecond, useDesk } from "./session.js";
 import { onThemeChange } from "./theme.js";
 
 const perSecond = 20;
@@ -17,7 +17,7 @@ const kinds = [
 ] as const;
 
 export function Charts() {
-  const session = useSession();
+  const { session } = useDesk();
   const place = useRef<HTMLDivElement>(null);
   const [problem, setProblem] = useState("");
   useEffect(() => {

@@ -1,107 +1,61 @@
-// Moves, turns, motors and profiles.
+// Moves, turns, motors, profiles, and the motion of the frame.
 
-import { useEffect, useRef } from "preact/hooks";
+import { useRef } from "preact/hooks";
 
 import type { Axes } from "../worker_messages.js";
-import { ActionRow, useDesk } from "./actions.js";
-import { angleWords, axisNames } from "./axes.js";
-import { SliderRow } from "./inputs.js";
-import { chooseProfile, motorsOff, motorsOn, moveTo, release, stop, turn } from "./lines.js";
-import { useSession, useView } from "./session.js";
-import { numbers, type NumberName, type Values } from "./values.js";
+import { ActionRow, CodeLine } from "./actions.js";
+import { angleWords, axisNames, type AxisName } from "./axes.js";
+import { Choice, Select, SliderRow } from "./inputs.js";
+import {
+  chooseProfile,
+  emulateLines,
+  motorsOff,
+  motorsOn,
+  moveTo,
+  release,
+  stop,
+  turn,
+} from "./lines.js";
+import { useDesk, useView } from "./session.js";
+import { emulationOf, numbers, type NumberName, type Values } from "./values.js";
 
 export interface PanelProps {
   values: Values;
   set: (change: Partial<Values>) => void;
 }
 
-const title = (axis: string): string => axis.charAt(0).toUpperCase() + axis.slice(1);
-const targetsOf = ({ roll, pitch, yaw }: Values): Axes => [roll, pitch, yaw];
-const speedsOf = (v: Values): Axes => [v["turn-roll"], v["turn-pitch"], v["turn-yaw"]];
-
 /** How often the buttons look whether the motors are on. */
 const perSecond = 4;
 /** The least time between two moves of a slider, in ms. */
 const pause = 150;
 
-export function MovePanel({ values, set }: PanelProps) {
-  const session = useSession();
-  const areOn = useView(perSecond)?.motorsOn ?? false;
-  const { run, isReady } = useDesk();
-  const timer = useRef(0);
-  const newest = useRef(values);
-  newest.current = values;
-  const action = moveTo(targetsOf(values), values.speed);
-  useEffect(() => () => clearTimeout(timer.current), []);
-  /** A slider that is dragged takes the camera along. */
-  const follow = (change: Partial<Values>): void => {
-    set(change);
-    if (!isReady || !session.view?.motorsOn || timer.current) return;
-    const { asked } = session;
-    timer.current = window.setTimeout(() => {
-      timer.current = 0;
-      // What the visitor has asked for in the meantime is newer.
-      if (session.asked === asked) run(moveTo(targetsOf(newest.current), newest.current.speed), "Move");
-    }, pause);
-  };
-  return (
-    <section aria-labelledby="move-title">
-      <h2 id="move-title">Move</h2>
-      {axisNames.map((axis) => (
-        <SliderRow
-          key={axis}
-          label={title(axis)}
-          unit="°"
-          limits={numbers[axis]}
-          value={values[axis]}
-          describe={(value) => angleWords(axis, value)}
-          onChange={(value) => follow({ [axis]: value })}
-        />
-      ))}
-      <SliderRow
-        label="Speed"
-        unit="°/s"
-        limits={numbers.speed}
-        value={values.speed}
-        onChange={(speed) => set({ speed })}
-      />
-      <ActionRow action={action} label="Move" isMain={areOn} />
-      <ActionRow action={moveTo([0, 0, 0], values.speed)} label="Center" />
-      <ActionRow action={stop} label="Stop">
-        <kbd>Esc</kbd>
-      </ActionRow>
-    </section>
-  );
+const moveOf = ({ roll, pitch, yaw, speed }: Values) => moveTo([roll, pitch, yaw], speed);
+const speedsOf = (v: Values): Axes => [v["turn-roll"], v["turn-pitch"], v["turn-yaw"]];
+
+interface SlidersProps extends PanelProps {
+  rows: readonly (readonly [NumberName, string, string])[];
 }
 
-export function TurnPanel({ values, set }: PanelProps) {
-  return (
-    <section aria-labelledby="turn-title">
-      <h2 id="turn-title">Turn at a speed</h2>
-      {axisNames.map((axis) => {
-        const name: NumberName = `turn-${axis}`;
-        return (
-          <SliderRow
-            key={axis}
-            label={title(axis)}
-            unit="°/s"
-            limits={numbers[name]}
-            value={values[name]}
-            onChange={(value) => set({ [name]: value })}
-          />
-        );
-      })}
+/** A row for each value, with its title and unit. */
+const Sliders = ({ rows, values, set }: SlidersProps) => (
+  <>
+    {rows.map(([name, label, unit]) => (
       <SliderRow
-        label="Time"
-        unit="s"
-        limits={numbers.seconds}
-        value={values.seconds}
-        onChange={(seconds) => set({ seconds })}
+        key={name}
+        label={label}
+        unit={unit}
+        limits={numbers[name]}
+        value={values[name]}
+        {...(unit === "°" ? { describe: (one) => angleWords(name as AxisName, one) } : {})}
+        onChange={(value) => set({ [name]: value })}
       />
-      <ActionRow action={turn(speedsOf(values), values.seconds)} label="Turn" />
-    </section>
-  );
-}
+    ))}
+  </>
+);
+
+const axisTitles = ["Roll", "Pitch", "Yaw"] as const;
+const angleRows = axisNames.map((axis, n) => [axis, axisTitles[n] ?? "", "°"] as const);
+const turnRows = axisNames.map((axis, n) => [`turn-${axis}`, axisTitles[n] ?? "", "°/s"] as const);
 
 export function BoardPanel({ values, set }: PanelProps) {
   const areOn = useView(perSecond)?.motorsOn ?? false;
@@ -112,16 +66,74 @@ export function BoardPanel({ values, set }: PanelProps) {
       <ActionRow action={motorsOff} label="Motors off" />
       <ActionRow action={release} label="Release" />
       <ActionRow action={chooseProfile(values.profile)} label="Profile">
-        <select
-          aria-label="Number of the profile"
+        <Select
+          label="Number of the profile"
+          options={[1, 2, 3, 4, 5]}
           value={values.profile}
-          onChange={(event) => set({ profile: Number(event.currentTarget.value) })}
-        >
-          {[1, 2, 3, 4, 5].map((one) => (
-            <option key={one}>{one}</option>
-          ))}
-        </select>
+          onChange={(one) => set({ profile: Number(one) })}
+        />
       </ActionRow>
     </section>
   );
 }
+
+export function MovePanel({ values, set }: PanelProps) {
+  const areOn = useView(perSecond)?.motorsOn ?? false;
+  const { session, run, isReady } = useDesk();
+  const timer = useRef(0);
+  const newest = useRef(values);
+  newest.current = values;
+  /** A slider that is dragged takes the camera along. */
+  const follow = (change: Partial<Values>): void => {
+    set(change);
+    if (!isReady || !areOn || timer.current) return;
+    const { asked } = session;
+    timer.current = window.setTimeout(() => {
+      timer.current = 0;
+      // What the visitor has asked for in the meantime is newer.
+      if (session.asked === asked) run(moveOf(newest.current), "Move");
+    }, pause);
+  };
+  return (
+    <section aria-labelledby="move-title">
+      <h2 id="move-title">Move</h2>
+      <Sliders rows={angleRows} values={values} set={follow} />
+      <Sliders rows={[["speed", "Speed", "°/s"]]} values={values} set={set} />
+      <ActionRow action={moveOf(values)} label="Move" isMain={areOn} />
+      <ActionRow action={moveTo([0, 0, 0], values.speed)} label="Center" />
+      <ActionRow action={stop} label="Stop">
+        <kbd>Esc</kbd>
+      </ActionRow>
+    </section>
+  );
+}
+
+export const TurnPanel = ({ values, set }: PanelProps) => (
+  <section aria-labelledby="turn-title">
+    <h2 id="turn-title">Turn at a speed</h2>
+    <Sliders rows={[...turnRows, ["seconds", "Time", "s"]]} values={values} set={set} />
+    <ActionRow action={turn(speedsOf(values), values.seconds)} label="Turn" />
+  </section>
+);
+
+const motions = [
+  ["rest", "At rest"],
+  ["handheld", "Hand-held"],
+  ["drone", "Drone"],
+  ["vehicle", "Vehicle"],
+] as const;
+
+export const MotionPanel = ({ values, set }: PanelProps) => (
+  <section aria-labelledby="motion-title">
+    <h2 id="motion-title">Motion of the frame</h2>
+    <Choice
+      class="motions"
+      legend="Motion"
+      options={motions}
+      value={values.motion}
+      onChange={(motion) => set({ motion })}
+    />
+    <Sliders rows={[["strength", "Strength", "×"]]} values={values} set={set} />
+    <CodeLine lines={emulateLines(emulationOf(values))} about="the same board on your computer" />
+  </section>
+);

@@ -3,13 +3,12 @@
 import { useState } from "preact/hooks";
 
 import type { Finding } from "../modules.js";
-import { CodeLine, useDesk } from "./actions.js";
+import { CodeLine } from "./actions.js";
 import { doctorLines } from "./lines.js";
-import { useSession } from "./session.js";
+import { useDesk } from "./session.js";
 
 export function DoctorPanel() {
-  const session = useSession();
-  const { isReady } = useDesk();
+  const { session, isReady } = useDesk();
   const [isBusy, setBusy] = useState(false);
   const [findings, setFindings] = useState<Finding[] | null>(null);
   const [problem, setProblem] = useState("");

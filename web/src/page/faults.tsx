@@ -1,17 +1,18 @@
 // Switches for the faults of the board and of the line.
 
-import type { PanelProps } from "./controls.js";
+import type { ComponentChildren } from "preact";
+
 import { axisNames } from "./axes.js";
-import { faults, lineFaults, type Fault, type Part } from "./emulation.js";
-import { NumberInput } from "./inputs.js";
+import type { PanelProps } from "./controls.js";
+import { faults, lineFaults, type Part } from "./emulation.js";
+import { NumberInput, Select } from "./inputs.js";
 
 const usualShare = 0.001;
 
 export function FaultPanel({ values, set }: PanelProps) {
-  const chosen = values.faults;
-  const choose = (fault: Fault, parts: readonly string[] | null): void => {
-    const { [fault.name]: _, ...others } = chosen;
-    set({ faults: parts ? { ...others, [fault.name]: parts } : others });
+  const choose = (name: string, parts: readonly string[] | null): void => {
+    const { [name]: _, ...others } = values.faults;
+    set({ faults: parts ? { ...others, [name]: parts } : others });
   };
   return (
     <section aria-labelledby="faults-title">
@@ -19,39 +20,48 @@ export function FaultPanel({ values, set }: PanelProps) {
       <div class="fault-columns">
         <fieldset class="faults">
           <legend>Of the gimbal</legend>
-          {faults.map((fault) => (
-            <FaultRow
-              key={fault.name}
-              fault={fault}
-              parts={chosen[fault.name] ?? null}
-              onChange={(parts) => choose(fault, parts)}
-            />
-          ))}
+          {faults.map(({ name, label, parts: known }) => {
+            const parts = values.faults[name];
+            const usual = known.map((part) => part.usual);
+            const change = (at: number, text: string): void =>
+              choose(name, (parts ?? usual).map((one, n) => (n === at ? text : one)));
+            return (
+              <Switch
+                key={name}
+                label={label}
+                isOn={parts !== undefined}
+                onChange={() => choose(name, parts ? null : usual)}
+              >
+                {known.map((part, n) => (
+                  <PartInput
+                    key={n}
+                    label={`${label}: ${part.limits?.unit ?? "axis"}`}
+                    part={part}
+                    value={parts?.[n] ?? part.usual}
+                    onChange={(text) => change(n, text)}
+                  />
+                ))}
+              </Switch>
+            );
+          })}
         </fieldset>
         <fieldset class="faults">
           <legend>Of the line</legend>
           {lineFaults.map(({ key, label }) => (
-            <div class="fault" key={key}>
-              <label>
-                <input
-                  type="checkbox"
-                  checked={values[key] > 0}
-                  onChange={() => set({ [key]: values[key] > 0 ? 0 : usualShare })}
-                />
-                <span>{label}</span>
-              </label>
-              {values[key] > 0 && (
-                <span class="parts">
-                  <NumberInput
-                    label={`${label}: share`}
-                    limits={{ least: 0.001, most: 100, step: 0.01 }}
-                    value={Number((values[key] * 100).toPrecision(6))}
-                    onChange={(percent) => set({ [key]: percent / 100 })}
-                  />
-                  <span class="unit">%</span>
-                </span>
-              )}
-            </div>
+            <Switch
+              key={key}
+              label={label}
+              isOn={values[key] > 0}
+              onChange={() => set({ [key]: values[key] > 0 ? 0 : usualShare })}
+            >
+              <NumberInput
+                label={`${label}: share`}
+                limits={{ least: 0.001, most: 100 }}
+                value={Number((values[key] * 100).toPrecision(6))}
+                onChange={(percent) => set({ [key]: percent / 100 })}
+              />
+              <span class="unit">%</span>
+            </Switch>
           ))}
         </fieldset>
       </div>
@@ -59,41 +69,23 @@ export function FaultPanel({ values, set }: PanelProps) {
   );
 }
 
-interface RowProps {
-  fault: Fault;
-  /** null: the fault is off. */
-  parts: readonly string[] | null;
-  onChange: (parts: readonly string[] | null) => void;
+interface SwitchProps {
+  label: string;
+  isOn: boolean;
+  onChange: () => void;
+  /** What can be set while it is on. */
+  children: ComponentChildren;
 }
 
-function FaultRow({ fault, parts, onChange }: RowProps) {
-  const usual = fault.parts.map((part) => part.usual);
-  return (
-    <div class="fault">
-      <label>
-        <input
-          type="checkbox"
-          checked={parts !== null}
-          onChange={() => onChange(parts ? null : usual)}
-        />
-        <span>{fault.label}</span>
-      </label>
-      {parts && parts.length > 0 && (
-        <span class="parts">
-          {fault.parts.map((part, n) => (
-            <PartInput
-              key={n}
-              label={`${fault.label}: ${part.limits?.unit ?? "axis"}`}
-              part={part}
-              value={parts[n] ?? part.usual}
-              onChange={(text) => onChange(parts.map((one, m) => (m === n ? text : one)))}
-            />
-          ))}
-        </span>
-      )}
-    </div>
-  );
-}
+const Switch = ({ label, isOn, onChange, children }: SwitchProps) => (
+  <div class="fault">
+    <label>
+      <input type="checkbox" checked={isOn} onChange={onChange} />
+      <span>{label}</span>
+    </label>
+    {isOn && <span class="parts">{children}</span>}
+  </div>
+);
 
 interface PartProps {
   label: string;
@@ -102,29 +94,14 @@ interface PartProps {
   onChange: (text: string) => void;
 }
 
-function PartInput({ label, part, value, onChange }: PartProps) {
-  if (!part.limits) {
-    return (
-      <select
-        aria-label={label}
-        value={value}
-        onChange={(event) => onChange(event.currentTarget.value)}
-      >
-        {axisNames.map((axis) => (
-          <option key={axis}>{axis}</option>
-        ))}
-      </select>
-    );
-  }
+function PartInput({ label, part: { limits }, value, onChange }: PartProps) {
+  const shared = { label, value };
+  if (!limits) return <Select {...shared} options={axisNames} onChange={onChange} />;
+  const change = (one: number): void => onChange(String(one));
   return (
     <>
-      <NumberInput
-        label={label}
-        limits={part.limits}
-        value={Number(value)}
-        onChange={(one) => onChange(String(one))}
-      />
-      <span class="unit">{part.limits.unit}</span>
+      <NumberInput {...shared} limits={limits} value={Number(value)} onChange={change} />
+      <span class="unit">{limits.unit}</span>
     </>
   );
 }

@@ -6,7 +6,7 @@ import { useEffect, useRef } from "preact/hooks";
 import type { Axes } from "../worker_messages.js";
 import { radians, seenFrom, type Direction } from "./attitude.js";
 import { anglesWords } from "./axes.js";
-import { everySecond, useSession } from "./session.js";
+import { everySecond, useDesk } from "./session.js";
 import { colorsOf, onThemeChange } from "./theme.js";
 
 /** Of the smaller side of the picture, in degrees. */
@@ -86,7 +86,7 @@ function drawHorizon(canvas: HTMLCanvasElement, angles: Axes): void {
 }
 
 function Horizon({ title, of }: { title: string; of: "camera" | "frame" }) {
-  const session = useSession();
+  const { session } = useDesk();
   const canvas = useRef<HTMLCanvasElement>(null);
   useEffect(() => {
     const target = canvas.current;

@@ -1,43 +1,13 @@
-// A number with a slider and an input, which hold the same value.
+// Inputs: numbers, with a slider or without, and choices.
 
 import { useEffect, useId, useState } from "preact/hooks";
 
 import type { Limits } from "./values.js";
 
-interface NumberProps {
-  label: string;
-  unit: string;
-  limits: Limits;
-  value: number;
-  describe?: (value: number) => string;
-  onChange: (value: number) => void;
-}
-
-export function SliderRow({ label, unit, limits, value, describe, onChange }: NumberProps) {
-  const id = useId();
-  const { least, most, step } = limits;
-  const range = { min: least, max: most, step, value };
-  return (
-    <div class="slider">
-      <label for={id}>{label}</label>
-      <input
-        type="range"
-        {...range}
-        aria-label={`${label}, slider`}
-        aria-valuetext={describe?.(value) ?? `${value} ${unit}`}
-        onInput={(event) => onChange(event.currentTarget.valueAsNumber)}
-      />
-      <NumberInput id={id} label="" limits={limits} value={value} onChange={onChange} />
-      <span class="unit">{unit}</span>
-    </div>
-  );
-}
-
 interface InputProps {
   id?: string;
-  /** For inputs without a label of their own. */
-  label: string;
-  limits: Omit<Limits, "usual">;
+  label?: string;
+  limits: { least: number; most: number };
   value: number;
   onChange: (value: number) => void;
 }
@@ -45,27 +15,103 @@ interface InputProps {
 /** Keeps what is typed; takes a value that is within the limits. */
 export function NumberInput({ id, label, limits, value, onChange }: InputProps) {
   const [text, setText] = useState(String(value));
+  const { least, most } = limits;
   const isValid = (one: string): boolean =>
-    one.trim() !== "" && Number(one) >= limits.least && Number(one) <= limits.most;
+    one.trim() !== "" && Number(one) >= least && Number(one) <= most;
   useEffect(() => {
     if (Number(text) !== value) setText(String(value));
   }, [value]);
+  const type = (now: string): void => {
+    setText(now);
+    if (isValid(now)) onChange(Number(now));
+  };
   return (
     <input
+      {...(label ? { "aria-label": label } : { id })}
       type="number"
-      {...(id ? { id } : {})}
-      {...(label ? { "aria-label": label } : {})}
-      min={limits.least}
-      max={limits.most}
+      min={least}
+      max={most}
       step="any"
       value={text}
       aria-invalid={!isValid(text)}
-      onInput={(event) => {
-        const now = event.currentTarget.value;
-        setText(now);
-        if (isValid(now)) onChange(Number(now));
-      }}
+      onInput={(event) => type(event.currentTarget.value)}
       onBlur={() => setText(String(value))}
     />
+  );
+}
+
+interface SliderProps extends InputProps {
+  label: string;
+  unit: string;
+  limits: Limits;
+  describe?: (value: number) => string;
+}
+
+export function SliderRow({ label, unit, limits, value, describe, onChange }: SliderProps) {
+  const id = useId();
+  return (
+    <div class="slider">
+      <label for={id}>{label}</label>
+      <input
+        type="range"
+        min={limits.least}
+        max={limits.most}
+        step={limits.step}
+        value={value}
+        aria-label={`${label}, slider`}
+        aria-valuetext={describe?.(value) ?? `${value} ${unit}`}
+        onInput={(event) => onChange(event.currentTarget.valueAsNumber)}
+      />
+      <NumberInput id={id} limits={limits} value={value} onChange={onChange} />
+      <span class="unit">{unit}</span>
+    </div>
+  );
+}
+
+interface SelectProps {
+  label: string;
+  options: readonly (string | number)[];
+  value: string | number;
+  onChange: (value: string) => void;
+}
+
+export const Select = ({ label, options, value, onChange }: SelectProps) => (
+  <select
+    aria-label={label}
+    value={value}
+    onChange={(event) => onChange(event.currentTarget.value)}
+  >
+    {options.map((one) => (
+      <option key={one}>{one}</option>
+    ))}
+  </select>
+);
+
+interface ChoiceProps<T extends string> {
+  class: string;
+  legend: string;
+  options: readonly (readonly [T, string])[];
+  value: T;
+  onChange: (value: T) => void;
+}
+
+/** One of several, all in sight. */
+export function Choice<T extends string>(props: ChoiceProps<T>) {
+  const name = useId();
+  return (
+    <fieldset class={`choice ${props.class}`}>
+      <legend>{props.legend}</legend>
+      {props.options.map(([key, title]) => (
+        <label key={key}>
+          <input
+            type="radio"
+            name={name}
+            checked={props.value === key}
+            onChange={() => props.onChange(key)}
+          />
+          <span>{title}</span>
+        </label>
+      ))}
+    </fieldset>
   );
 }

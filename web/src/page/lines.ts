@@ -5,11 +5,11 @@ import { axisNames, axisNumbers } from "./axes.js";
 import { faultTexts, lineFaults, type Emulation } from "./emulation.js";
 
 export const languages = [
-  { key: "command", title: "Command" },
-  { key: "cpp", title: "C++" },
-  { key: "python", title: "Python" },
+  ["command", "Command"],
+  ["cpp", "C++"],
+  ["python", "Python"],
 ] as const;
-export type Language = (typeof languages)[number]["key"];
+export type Language = (typeof languages)[number][0];
 
 /** "" where there is no such line. */
 export type Lines = Record<Language, string>;
@@ -28,14 +28,14 @@ const members = (of: Axes, unit: string): string =>
   `{${each(of, (name, value) => `.${name} = ${value}_${unit}`, ", ")}}`;
 const keywords = (of: Axes): string => each(of, (name, value) => `${name}=${value}`, ", ");
 
-/** C++ in a function that returns a Result. */
-const checked = (call: string): string => `if (const auto done = ${call}; !done) return done.error();`;
+/** The compiler warns if nobody takes the result. */
+const taken = (call: string): string => `const auto done = ${call};`;
 
 export const moveTo = (angles: Axes, speed: number): Action => ({
   text: `move ${words(angles)} speed=${speed}`,
   lines: {
     command: `sbgc move ${options(angles)} --speed ${speed} --wait`,
-    cpp: checked(`client.move_to(${members(angles, "deg")}, {.speed = ${speed}_deg_per_s})`),
+    cpp: taken(`client.move_to(${members(angles, "deg")}, {.speed = ${speed}_deg_per_s})`),
     python: `gimbal.move_to(${keywords(angles)}, speed=${speed})`,
   },
 });
@@ -47,10 +47,10 @@ export const turn = (speeds: Axes, seconds: number): Action => ({
     cpp: [
       "sbgc::SpeedControl control(client);",
       `for (int i = 0; i < ${Math.round(seconds * 10)}; ++i) {`,
-      `  ${checked(`control.set(${members(speeds, "deg_per_s")})`)}`,
+      `  ${taken(`control.set(${members(speeds, "deg_per_s")})`)}`,
       "  std::this_thread::sleep_for(100ms);",
       "}",
-      checked("control.stop()"),
+      taken("control.stop()"),
     ].join("\n"),
     python: `gimbal.turn(${keywords(speeds)}, seconds=${seconds})`,
   },
@@ -58,7 +58,7 @@ export const turn = (speeds: Axes, seconds: number): Action => ({
 
 const plain = (text: string, command: string, call: string): Action => ({
   text,
-  lines: { command, cpp: checked(`client.${call}()`), python: `gimbal.${call}()` },
+  lines: { command, cpp: taken(`client.${call}()`), python: `gimbal.${call}()` },
 });
 export const stop = plain("stop", "sbgc stop", "stop");
 export const release = plain("release", "", "release");
@@ -69,7 +69,7 @@ export const chooseProfile = (profile: number): Action => ({
   text: `menu profile${profile}`,
   lines: {
     command: `sbgc menu profile${profile}`,
-    cpp: checked(
+    cpp: taken(
       `client.call(sbgc::msg::ExecuteMenu{.cmd_id = sbgc::msg::MenuCommand::profile${profile}})`,
     ),
     python: `gimbal.call(msg.ExecuteMenu(cmd_id=msg.MenuCommand.MENU_CMD_PROFILE${profile}))`,
@@ -80,7 +80,6 @@ export const doctorLines: Lines = {
   command: "sbgc doctor",
   cpp: [
     "const auto measured = client.run(sbgc::tasks::measure());",
-    "if (!measured) return measured.error();",
     "for (const auto& finding : sbgc::doctor::findings_of(*measured)) {",
     "  std::puts(finding.sentence.c_str());",
     "}",

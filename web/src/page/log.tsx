@@ -4,7 +4,7 @@ import { useEffect, useRef, useState } from "preact/hooks";
 
 import type { LoggedFrame } from "../worker_messages.js";
 import { fixed } from "./axes.js";
-import { useSession } from "./session.js";
+import { useDesk } from "./session.js";
 
 const most = 200;
 const shown = 60;
@@ -73,7 +73,7 @@ function FrameBody({ frame }: { frame: LoggedFrame }) {
 }
 
 export function Log() {
-  const session = useSession();
+  const { session } = useDesk();
   const frames = useRef<[number, LoggedFrame][]>([]);
   const count = useRef(0);
   const lost = useRef(0);

@@ -55,7 +55,12 @@ export function createPlot(place: HTMLElement, options: PlotOptions): Plot {
         y: { range },
       },
       axes: [
-        { ...axis, size: 24, incrs: [1, 2, 5, 10, 15, 30], values: (_, ticks) => ticks.map((one) => `${Math.round(one)} s`) },
+        {
+          ...axis,
+          size: 24,
+          incrs: [1, 2, 5, 10, 15, 30],
+          values: (_, ticks) => ticks.map((one) => `${one} s`),
+        },
         { ...axis, size: 52, values: (_, ticks) => ticks.map((one) => `${one}${unit}`) },
       ],
       series: [

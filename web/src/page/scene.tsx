@@ -6,7 +6,7 @@ import { useEffect, useRef, useState } from "preact/hooks";
 import type { View } from "../worker_messages.js";
 import type { Direction } from "./attitude.js";
 import { anglesWords } from "./axes.js";
-import { everySecond, useSession } from "./session.js";
+import { everySecond, useDesk } from "./session.js";
 import { onThemeChange } from "./theme.js";
 import type { View3D } from "./view3d.js";
 
@@ -18,19 +18,13 @@ declare global {
 let view3d: View3D | null = null;
 globalThis.sbgcPlayground = Object.freeze({ opticalAxis: () => view3d?.opticalAxis() ?? null });
 
-function hasWebGl(): boolean {
-  const context = document.createElement("canvas").getContext("webgl2");
-  context?.getExtension("WEBGL_lose_context")?.loseContext();
-  return context !== null;
-}
-
 const whenIdle = (call: () => void): void => {
   if ("requestIdleCallback" in globalThis) requestIdleCallback(call, { timeout: 1000 });
   else setTimeout(call, 200); // Safari
 };
 
 export function GimbalView() {
-  const session = useSession();
+  const { session } = useDesk();
   const canvas = useRef<HTMLCanvasElement>(null);
   const [problem, setProblem] = useState("");
   useEffect(() => {
@@ -51,14 +45,15 @@ export function GimbalView() {
     };
 
     const load = async (): Promise<void> => {
-      if (!hasWebGl()) {
+      const context = target.getContext("webgl2", { antialias: true });
+      if (!context) {
         setProblem("This browser has no WebGL: no 3D view.");
         return;
       }
       try {
         const { createView } = await import("./view3d.js");
         if (isEnded) return;
-        const made = createView(target);
+        const made = createView(target, context);
         view3d = made;
         const size = new ResizeObserver(made.resize);
         size.observe(target);

@@ -12,7 +12,7 @@ const cacheName = prefix + FINGERPRINT;
 const kept = new Set(FILES.map((file) => new URL(file, worker.registration.scope).href));
 
 worker.addEventListener("install", (event) => {
-  const fetched = FILES.map((file) => new Request(file, { cache: "reload" }));
+  const fetched = FILES.map((file) => new Request(file, { cache: "no-cache" }));
   event.waitUntil(caches.open(cacheName).then((cache) => cache.addAll(fetched)));
 });
 

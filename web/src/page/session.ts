@@ -5,6 +5,7 @@ import { useContext, useEffect, useState } from "preact/hooks";
 
 import type { EmulatorOptions } from "../modules.js";
 import type { Report, Request, View } from "../worker_messages.js";
+import type { Action, Language } from "./lines.js";
 
 export type Done = Extract<Report, { kind: "done" }>;
 /** A request that the worker answers, without its number. */
@@ -117,18 +118,26 @@ export function everySecond<T>(call: (value: T) => void): (value: T) => void {
   };
 }
 
-const Context = createContext<Session | null>(null);
-export const SessionProvider = Context.Provider;
+/** What the parts of the page need. */
+export interface Desk {
+  session: Session;
+  language: Language;
+  isReady: boolean;
+  /** The label says in the page what it is. */
+  run: (action: Action, label: string) => void;
+}
 
-export function useSession(): Session {
-  const session = useContext(Context);
-  if (!session) throw new Error("no session");
-  return session;
+export const DeskContext = createContext<Desk | null>(null);
+
+export function useDesk(): Desk {
+  const desk = useContext(DeskContext);
+  if (!desk) throw new Error("no desk");
+  return desk;
 }
 
 /** The newest view, a few times a second. */
 export function useView(hertz: number): View | null {
-  const session = useSession();
+  const { session } = useDesk();
   const [view, setView] = useState(session.view);
   useEffect(() => session.draw(hertz, setView), [session, hertz]);
   return view;

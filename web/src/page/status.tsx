@@ -1,7 +1,7 @@
 // The line at the top: the board, its battery, the errors that it reports, and the pace of time.
 
 import { fixed } from "./axes.js";
-import { useSession, useView } from "./session.js";
+import { useDesk, useView } from "./session.js";
 
 const perSecond = 4;
 const paces = [0, 0.25, 1, 4, 16];
@@ -15,7 +15,7 @@ interface Props {
 }
 
 export function Status({ identity, pace, onPace, onRestart, onStop }: Props) {
-  const session = useSession();
+  const { session } = useDesk();
   const view = useView(perSecond);
   const choosePace = (factor: number): void => {
     session.pace(factor);

@@ -3,13 +3,11 @@
 import { useEffect, useState } from "preact/hooks";
 
 import type { LoggedFrame } from "../worker_messages.js";
-import { useDesk } from "./actions.js";
 import { FrameEntry } from "./log.js";
-import { useSession, type Done } from "./session.js";
+import { useDesk, type Done } from "./session.js";
 
 export function Trial({ hex, onClose }: { hex: string; onClose: () => void }) {
-  const session = useSession();
-  const { isReady } = useDesk();
+  const { session, isReady } = useDesk();
   const [request, setRequest] = useState<LoggedFrame | null>(null);
   const [problem, setProblem] = useState("");
   const [answer, setAnswer] = useState<Done | null>(null);
@@ -36,7 +34,7 @@ export function Trial({ hex, onClose }: { hex: string; onClose: () => void }) {
           Close
         </button>
       </div>
-      <p>Nothing has been sent yet. The board here is emulated.</p>
+      {!answer && <p>Nothing has been sent yet. The board here is emulated.</p>}
       {problem && (
         <p class="bad" role="alert">
           {problem}

@@ -35,7 +35,7 @@ export const numbers = {
   seconds: limits(3, 0.5, 30, 0.5),
   profile: limits(2, 1, 5),
   seed: limits(1, 0, 0xffffffff),
-  strength: limits(1, 0, 100, 0.1),
+  strength: limits(1, 0, 10, 0.1),
   bitErrors: limits(0, 0, 1, 0.0001),
   lostBytes: limits(0, 0, 1, 0.0001),
   duplicatedBytes: limits(0, 0, 1, 0.0001),

@@ -10,7 +10,7 @@ import type { Axes } from "../worker_messages.js";
 import { radians, type Direction } from "./attitude.js";
 import { colorsOf } from "./theme.js";
 
-/** In three.js, x is right, y up, and -z forward: all three angles of the board turn the other way. */
+/** In three.js, x is right, y up, and -z forward: all angles of the board turn the other way. */
 const order = "YZX";
 const attitude = ([roll, pitch, yaw]: Axes): THREE.Quaternion =>
   new THREE.Quaternion().setFromEuler(
@@ -28,17 +28,19 @@ export interface View3D {
   end(): void;
 }
 
-const metal = (roughness: number) => new THREE.MeshStandardMaterial({ roughness });
+/** A material that software can draw as well. */
+const paint = (specular: number, color = 0xffffff) =>
+  new THREE.MeshPhongMaterial({ color, specular, shininess: 40 });
 
 function createGimbal() {
   const materials = {
-    frame: metal(0.7),
-    arm: metal(0.55),
-    body: metal(0.5),
-    glass: new THREE.MeshStandardMaterial({ color: 0x0b1622, roughness: 0.08, metalness: 0.4 }),
-    roll: metal(0.45),
-    pitch: metal(0.45),
-    yaw: metal(0.45),
+    frame: paint(0x222222),
+    arm: paint(0x444444),
+    body: paint(0x333333),
+    glass: paint(0xaaccee, 0x0b1622),
+    roll: paint(0x333333),
+    pitch: paint(0x333333),
+    yaw: paint(0x333333),
     beam: new THREE.MeshBasicMaterial({ transparent: true, opacity: 0.16, depthWrite: false }),
   };
   type Vector = [number, number, number];
@@ -93,8 +95,8 @@ function createGimbal() {
   return { frame, yawArm, rollArm, camera, materials };
 }
 
-export function createView(canvas: HTMLCanvasElement): View3D {
-  const renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true });
+export function createView(canvas: HTMLCanvasElement, context: WebGL2RenderingContext): View3D {
+  const renderer = new THREE.WebGLRenderer({ canvas, context });
   renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
   const { frame, yawArm, rollArm, camera, materials } = createGimbal();
   const sun = new THREE.DirectionalLight(0xffffff, 2.2);
@@ -107,7 +109,10 @@ export function createView(canvas: HTMLCanvasElement): View3D {
   const center = new THREE.Vector3(0, 0.3, 0);
   let azimuth = 0.65;
   let elevation = 0.32;
+  const compilesAside = context.getExtension("KHR_parallel_shader_compile") !== null;
+  let isCompiled = !compilesAside;
   const render = (): void => {
+    if (!isCompiled) return;
     const distance = viewer.aspect < 1.2 ? 9.4 : 7.4;
     viewer.position.setFromSphericalCoords(distance, Math.PI / 2 - elevation, azimuth).add(center);
     viewer.lookAt(center);
@@ -163,5 +168,10 @@ export function createView(canvas: HTMLCanvasElement): View3D {
   };
   view.recolor();
   view.resize();
+  const compiled = (): void => {
+    isCompiled = true;
+    render();
+  };
+  if (compilesAside) void renderer.compileAsync(scene, viewer).then(compiled);
   return view;
 }
