@@ -33,7 +33,7 @@ execFileSync(tsc, ["--project", path.join(here, "tsconfig.package.json"), ...emi
 for (const name of ["gimbal.wasm", "messages.wasm"]) {
   fs.writeFileSync(path.join(output, name), fs.readFileSync(path.join(modules, name)));
 }
-fs.copyFileSync(path.join(here, "README.md"), path.join(output, "README.md"));
+fs.copyFileSync(path.join(here, "../docs/28-javascript.md"), path.join(output, "README.md"));
 fs.copyFileSync(path.join(here, "../LICENSE"), path.join(output, "LICENSE"));
 
 const { name, description, license, type, engines } = JSON.parse(

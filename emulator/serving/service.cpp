@@ -8,10 +8,10 @@
 
 #include <fmt/format.h>
 
-#include <sbgc/meta/enums.hpp>
 #include <sbgc/text.hpp>
 
 #include "serving/arguments.hpp"
+#include "serving/new_memory.hpp"
 #include "serving/state_file.hpp"
 
 namespace sbgc::serving {
@@ -29,18 +29,6 @@ void add_to(std::span<std::uint8_t> bytes, unsigned number) {
 
 std::string model(msg::BoardVersion board, msg::FirmwareVersion firmware) {
   return "a board " + to_string(board) + " with firmware " + to_string(firmware);
-}
-
-/// A gimbal is delivered with a calibrated accelerometer, unless the fault is that it is not.
-emulator::Memory new_memory(const emulator::BoardOptions& board) {
-  emulator::Memory memory;
-  if (board.faults.errors.has(msg::SystemError::calib_acc)) return memory;
-  for (emulator::ImuCalibration& imu : memory.imus) {
-    for (const ValueInfo& position : EnumMeta<msg::CalibratedLimit>::info.values) {
-      imu.acc_limits |= static_cast<std::uint8_t>(position.value);
-    }
-  }
-  return memory;
 }
 
 }  // namespace

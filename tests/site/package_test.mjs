@@ -11,7 +11,7 @@ import { pathToFileURL } from "node:url";
 import { root, sbgc, vectors } from "./support.mjs";
 
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), "sbgc-npm-"));
-const readme = fs.readFileSync(path.join(root, "web/README.md"), "utf8");
+const readme = fs.readFileSync(path.join(root, "docs/28-javascript.md"), "utf8");
 const programs = [...readme.matchAll(/^```js( browser)?\n(.*?)^```/gms)].map(([, where, text], number) => ({
   name: `example${number}.mjs`,
   text,

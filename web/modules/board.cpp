@@ -18,6 +18,7 @@
 #include "modules/times.hpp"
 #include "serving/faults.hpp"
 #include "serving/motion_name.hpp"
+#include "serving/new_memory.hpp"
 
 namespace sbgc::web {
 
@@ -87,7 +88,7 @@ SBGC_EXPORT(board_start) void board_start(double now) {
   EmulatorOptions options;
   std::string& problem = tools::exchange().output = read_options(options);
   if (!problem.empty()) return;
-  auto& made = board().emplace(Powered{{options, {}, at(now)}, 0});
+  auto& made = board().emplace(Powered{{options, serving::new_memory(options.board), at(now)}, 0});
   made.port = made.emulator.connect(true, at(now)).value_or(0);
 }
 
