@@ -163,6 +163,7 @@ def test_names_of_the_library_exist(guide: Path) -> None:
     spec += "".join(path.read_text(encoding="utf-8") for path in commands)
     # The Python package, and what Python itself has.
     package = [*(ROOT / "python/sbgc").rglob("*.py"), *(ROOT / "generated/python").rglob("*.py")]
+    package += (ROOT / "web/src").glob("*.ts")
     spec += "".join(path.read_text(encoding="utf-8") for path in package) + " ".join(dir(builtins))
     for name in re.findall(r"`(?:sbgc::)?([A-Za-z][A-Za-z0-9_]+)(?:\(\))?`", text):
         known = re.search(rf"\b{name}\b", headers) or re.search(rf"\b{name}\b", spec)
