@@ -5,6 +5,7 @@
 #include <sbgc/availability.hpp>
 #include <sbgc/internal/table.hpp>
 #include <sbgc/message.hpp>
+#include <sbgc/meta/all.hpp>
 
 namespace sbgc::emulator {
 
