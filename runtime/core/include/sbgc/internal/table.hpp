@@ -297,7 +297,8 @@ struct WithoutTail {
 template <class T>
 consteval StructTable struct_table() noexcept {
   using Members = typename WithoutTail<T>::Type;
-  static_assert(requires { sizeof(Meta<Members>); }, "include <sbgc/meta/all.hpp>, or its family");
+  static_assert(
+      requires { sizeof(Meta<Members>); }, "include <sbgc/meta/all.hpp>, or its family");
   StructTable table;
   if constexpr (kind_of<T> == Kind::axes) {
     table.slots = axes_slots<T>;
