@@ -105,8 +105,8 @@ def test_damaged_and_lost_bytes_end_nothing(autopilot: Station, gimbal: Gimbal) 
     # A flipped bit of the sequence or of the sender does not pass the checksum either.
     autopilot.fly(4, harm)
     assert gimbal.up == pytest.approx(0, abs=0.5)
-    aim = autopilot.aim(DOWN)
-    autopilot.until(lambda: gimbal.up < -18, lambda: dice.random() < 0.7 or aim())
+    behind_noise = lambda: autopilot.put(b"\xfd\xfe\xfd" + autopilot.attitude(DOWN))  # noqa: E731
+    autopilot.until(lambda: gimbal.up < -18, lambda: dice.random() < 0.7 or behind_noise())
 
 
 def test_duplicates_and_what_was_overtaken_move_nothing(autopilot: Station, gimbal: Gimbal) -> None:

@@ -11,28 +11,24 @@ from hashlib import sha256
 from hmac import compare_digest
 from importlib import import_module
 from struct import Struct
+from types import SimpleNamespace
 from typing import Any, NamedTuple, Optional
 
 mav: Any = import_module("pymavlink.dialects.v20.common")  # messages and numbers of common.xml
 mav.MAVLINK_IGNORE_CRC = False  # an environment variable sets it
+REFUSED = {"Bad prefix": "noise", "Invalid signature": "signature"}
 SIGNING_BEGIN, SIGNING_STEPS = 1420070400, 100_000  # signatures count 10 us from 2015 on
 Ids = tuple[int, int]  # a system and a component
 
 
-class Constants:
+def constants(name: str) -> Any:
     """The values of an enumeration of common.xml, whose names lack that of the enumeration."""
-
-    def __init__(self, name: str) -> None:
-        self._values: dict[str, int] = {}
-        for value, one in mav.enums[name].items():
-            self._values[one.name[len(name) + 1 :]] = value
-
-    def __getattr__(self, name: str) -> int:
-        return self._values[name]
+    values = mav.enums[name].items()
+    return SimpleNamespace(**{one.name[len(name) + 1 :]: value for value, one in values})
 
 
-Flags = Constants("GIMBAL_DEVICE_FLAGS")  # those of managers have the same values
-Result = Constants("MAV_RESULT")
+Flags = constants("GIMBAL_DEVICE_FLAGS")  # those of managers have the same values
+Result = constants("MAV_RESULT")
 
 
 class Message(NamedTuple):
@@ -41,7 +37,7 @@ class Message(NamedTuple):
     name: str
     sender: Ids
     sequence: int
-    values: Any  # has the fields as attributes, named and measured as in common.xml
+    values: Any  # has the fields of common.xml as attributes
 
 
 class _Basic(mav.MAVLink_message):  # type: ignore[misc]
@@ -93,17 +89,22 @@ class Codec(mav.MAVLink):  # type: ignore[misc]
         What a datagram does not complete is dropped. Messages of other dialects are skipped, unchecked.
         """
         found = []
-        for one in self.parse_buffer(data) or ():
-            if isinstance(one, mav.MAVLink_bad_data):
-                kinds = {"Bad prefix": "noise", "Invalid signature": "signature"}
-                self._counters[kinds.get(one.reason, "damaged")] += 1
-            elif not isinstance(one, mav.MAVLink_unknown):
-                header = one.get_header()
-                sender = header.srcSystem, header.srcComponent
-                found.append(Message(one.get_type(), sender, header.seq, one))
-        if is_datagram and self.buf_len():
-            self._counters["truncated"] += 1
-            self.buf_index = len(self.buf)
+        while (one := self.parse_char(data)) is not None or is_datagram and self.buf_len():
+            data, is_frame = b"", True
+            if one is None:  # incomplete: it must not hide others
+                self._counters["truncated"] += 1
+                self.buf_index += 1
+            elif isinstance(one, mav.MAVLink_bad_data):
+                kind = REFUSED.get(one.reason, "damaged")
+                self._counters[kind] += 1
+                is_frame = kind != "damaged"
+            elif isinstance(one, mav.MAVLink_unknown):
+                is_frame = self.buf[self.buf_index :][:1] in (b"", b"\xfd", b"\xfe")
+            else:
+                sender = one.get_srcSystem(), one.get_srcComponent()
+                found.append(Message(one.get_type(), sender, one.get_seq(), one))
+            if not is_frame:  # a false start may hide the frames behind it
+                self.buf[: self.buf_index], self.buf_index = one.data[1:], 0
         del self.buf[: self.buf_index]
         self.buf_index = 0
         return found
