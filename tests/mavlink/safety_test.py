@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from drone import LOCK, NO_Q, STATUS, Gimbal, Rig, Station, aircraft, started
+from drone import LOCK, NO_Q, STATUS, Aim, Gimbal, Rig, Station, aircraft, started
 
 KEY = bytes(range(32))
 DOWN = aircraft(pitch=-30)
@@ -105,8 +105,8 @@ def test_damaged_and_lost_bytes_end_nothing(autopilot: Station, gimbal: Gimbal) 
     # A flipped bit of the sequence or of the sender does not pass the checksum either.
     autopilot.fly(4, harm)
     assert gimbal.up == pytest.approx(0, abs=0.5)
-    behind_noise = lambda: autopilot.put(b"\xfd\xfe\xfd" + autopilot.attitude(DOWN))  # noqa: E731
-    autopilot.until(lambda: gimbal.up < -18, lambda: dice.random() < 0.7 or behind_noise())
+    aim: Aim = lambda: dice.random() < 0.7 or autopilot.put(b"\xfd\xfe" + autopilot.attitude(DOWN))
+    autopilot.until(lambda: gimbal.up < -18, aim)
 
 
 def test_duplicates_and_what_was_overtaken_move_nothing(autopilot: Station, gimbal: Gimbal) -> None:
