@@ -264,6 +264,7 @@ test("a message page leads to the playground with the values of its form, unless
 test("the log decodes frames as `sbgc decode` does, and leads to their pages", async () => {
   await play(async (page) => {
     await button(page, "Show the log").click();
+    await page.locator(".log details").first().waitFor();
     await motorsOn(page);
     await page.locator(".log details.host").first().waitFor();
     await page.locator(".log details").nth(20).waitFor();
