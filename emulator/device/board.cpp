@@ -1,13 +1,11 @@
 #include <algorithm>
 #include <array>
-#include <cstddef>
 #include <span>
 #include <string_view>
 #include <tuple>
 #include <type_traits>
 #include <utility>
 
-#include <sbgc/any.hpp>
 #include <sbgc/availability.hpp>
 #include <sbgc/dispatch.hpp>
 #include <sbgc/emulator/board.hpp>
@@ -60,37 +58,6 @@ Reaction carry_out(RequestContext& context, const M& request, Device& device) {
     return default_response(context, request);
   }
 }
-
-/// A kind of request: a message with its handler.
-struct RequestKind {
-  const MessageType* type = nullptr;
-  bool is_limited{};  ///< to what the firmware knows
-  bool checks_values{};
-  Reaction (*execute)(Device& device, std::size_t port, const void* message, Instant now){};
-};
-
-template <Message M>
-Reaction execute(Device& device, std::size_t port, const void* message, Instant now) {
-  const M& request = *static_cast<const M*>(message);
-  const Confirmed confirmed = response_policy(request).responses.confirmed;
-  RequestContext context(device.ports, device.options, port, static_cast<std::uint8_t>(M::command),
-                         confirmed, now);
-  return carry_out(context, request, device);
-}
-
-template <Message M>
-RequestKind kind_of_request() {
-  return {.type = &sbgc::detail::message_type<M>(),
-          .is_limited = !accesses_parameters<M>,
-          .checks_values = checks_values<M>,
-          .execute = execute<M>};
-}
-
-template <class... Ms>
-constexpr std::size_t largest_of(TypeList<Ms...>) {
-  return std::max({sizeof(Ms)...});
-}
-constexpr std::size_t largest_message = largest_of(AllMessages{});
 
 }  // namespace
 
@@ -287,35 +254,37 @@ class Board::Core {
 
   /// Ignores bytes that the firmware does not know, as real boards do.
   Reaction try_frame(std::size_t port, const QueuedRequest& request, Instant now) {
-    const Availability versions = versions_of(device.options);
-    const std::size_t largest = largest_request(request.id, versions);
+    Reaction reaction = Reaction::unknown;
+    const std::size_t largest = largest_request(request.id, versions_of(device.options));
     const bool has_surplus = request.body.size() > largest;
     const auto body =
         std::span<const std::uint8_t>(request.body).first(std::min(request.body.size(), largest));
-    RequestKind kind;
     const Code code = select(Direction::to_board, request.id, body.size(), [&]<class M>(Type<M>) {
       if constexpr (M::direction != Direction::from_board) {
-        if (is_supported<M>(versions)) kind = kind_of_request<M>();
+        if (!is_supported<M>(versions_of(device.options))) return;
+        M message{};
+        const Status status = decode(body, message);
+        // Flags may say that even the largest form ends earlier.
+        const bool is_whole = status || (has_surplus && status.code == Code::too_long);
+        if (!is_whole || (has_surplus && device.options.is_strict)) {
+          reaction = Reaction::malformed;
+          return;
+        }
+        if constexpr (!accesses_parameters<M>) {
+          const bool has_unknown_values = limit_to(versions_of(device.options), message);
+          if (has_unknown_values && !checks_values<M>) {
+            RequestContext context(device.ports, device.options, port, request.id, Confirmed::never,
+                                   now);
+            reaction = context.refuse(msg::BoardErrorCode::wrong_params);
+            return;
+          }
+        }
+        const Confirmed confirmed = response_policy(message).responses.confirmed;
+        RequestContext context(device.ports, device.options, port, request.id, confirmed, now);
+        reaction = carry_out(context, message, device);
       }
     });
-    if (code == Code::unknown_form) return Reaction::malformed;
-    if (kind.type == nullptr) return Reaction::unknown;
-    const sbgc::detail::AnyOperations& operations = *kind.type->operations;
-    alignas(std::max_align_t) std::array<std::byte, largest_message> message;
-    operations.construct(message.data());
-    const Status status = operations.decode(operations, body, message.data(), {});
-    // Flags may say that even the largest form ends earlier.
-    const bool is_whole = status || (has_surplus && status.code == Code::too_long);
-    if (!is_whole || (has_surplus && device.options.is_strict)) return Reaction::malformed;
-    if (kind.is_limited) {
-      const bool has_unknown_values = limit_to(versions, *operations.table, message.data());
-      if (has_unknown_values && !kind.checks_values) {
-        RequestContext context(device.ports, device.options, port, request.id, Confirmed::never,
-                               now);
-        return context.refuse(msg::BoardErrorCode::wrong_params);
-      }
-    }
-    return kind.execute(device, port, message.data(), now);
+    return code == Code::unknown_form ? Reaction::malformed : reaction;
   }
 
   Instant clock_;

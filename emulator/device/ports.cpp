@@ -4,7 +4,6 @@
 #include <limits>
 #include <utility>
 
-#include <sbgc/any.hpp>
 #include <sbgc/availability.hpp>
 
 namespace sbgc::emulator {
@@ -53,18 +52,6 @@ std::uint64_t Ports::errors(std::size_t port) const {
 
 void Ports::report(std::size_t port, const Frame& frame, std::optional<Reaction> reaction) const {
   if (on_traffic != nullptr && *on_traffic) (*on_traffic)({now, port, frame, reaction});
-}
-
-bool Ports::send(std::size_t port, const MessageType& type, const void* message, bool is_sample) {
-  const sbgc::detail::AnyOperations& operations = *type.operations;
-  std::array<std::uint8_t, max_body_size> body{};
-  const WriteResult written = operations.encode(operations, message, body);
-  if (!written) return false;
-  if (is_sample && frame_size(framing(port), written.size) > room(port)) return false;
-  std::array<std::uint8_t, max_frame_size> frame{};
-  const WriteResult framed = write_frame(type.info->id, std::span(body).first(written.size), frame);
-  if (framed) send_frame(port, std::span(frame).first(framed.size));
-  return static_cast<bool>(framed);
 }
 
 void Ports::send_frame(std::size_t port, std::span<const std::uint8_t> frame) {

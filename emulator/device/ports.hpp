@@ -11,7 +11,6 @@
 #include <vector>
 
 #include <sbgc/emulator/board.hpp>
-#include <sbgc/internal/message_type.hpp>
 #include <sbgc/message.hpp>
 #include <sbgc/parser.hpp>
 
@@ -54,12 +53,20 @@ class Ports {
   /// Sends a message, even if it must wait for room. No effect if the port is closed.
   template <Message M>
   void send(std::size_t port, const M& message) {
-    static_cast<void>(send(port, sbgc::detail::message_type<M>(), &message, false));
+    std::array<std::uint8_t, max_frame_size> frame{};
+    const WriteResult written = encode_frame(message, frame);
+    if (written) send_frame(port, std::span(frame).first(written.size));
   }
   /// The same for a stream sample, but sends nothing and returns false if there is no room now.
   template <Message M>
   bool offer(std::size_t port, const M& message) {
-    return send(port, sbgc::detail::message_type<M>(), &message, true);
+    std::array<std::uint8_t, max_frame_size> frame{};
+    const WriteResult written = encode_frame(message, frame);
+    if (!written) return false;
+    const std::size_t body_size = written.size - frame_size(0);
+    if (frame_size(framing(port), body_size) > room(port)) return false;
+    send_frame(port, std::span(frame).first(written.size));
+    return true;
   }
   /// Sends the message of a frame in the framing of the port.
   void send_frame(std::size_t port, std::span<const std::uint8_t> frame);
@@ -109,10 +116,6 @@ class Ports {
   void report(std::size_t port, const Frame& frame, std::optional<Reaction> reaction) const;
 
  private:
-  /// Sends a message of this type; a `sample` only if there is room. Returns false if it is not
-  /// sent.
-  bool send(std::size_t port, const MessageType& type, const void* message, bool is_sample);
-
   /// More than a host that waits for responses ever queues; limits the cost of a flooding host.
   /// Assumption.
   static constexpr std::size_t max_input = 1U << 20U;
