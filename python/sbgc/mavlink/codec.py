@@ -103,7 +103,7 @@ class Codec(mav.MAVLink):  # type: ignore[misc]
             else:
                 sender = one.get_srcSystem(), one.get_srcComponent()
                 found.append(Message(one.get_type(), sender, one.get_seq(), one))
-            if not is_frame:  # a false start may hide the frames behind it
+            if one and not is_frame:  # a false start may hide the frames behind it
                 self.buf[: self.buf_index], self.buf_index = one.data[1:], 0
         del self.buf[: self.buf_index]
         self.buf_index = 0
