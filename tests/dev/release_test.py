@@ -125,8 +125,12 @@ def test_the_files_of_a_commit_are_the_same_everywhere(release: Path, tmp_path: 
         f"sbgc-fuzz-seeds-{version()}": "sbgc.dict",
         f"sbgc-site-{version()}": "index.html",
     }
-    others = (f"sbgc-{version()}.tar.gz", f"sbgc-{version()}.spdx.json", "sbgc.hpp")
-    others += (f"sbgc-npm-{version()}.tgz",)
+    others = [
+        f"sbgc-{version()}.tar.gz",
+        f"sbgc-{version()}.spdx.json",
+        "sbgc.hpp",
+        f"sbgc-npm-{version()}.tgz",
+    ]
     files = {*(f"{name}.zip" for name in archives), *others}
     assert found[0].keys() == files | {"sbgc-1.whl", "sbgc_1_amd64.deb", "SHA256SUMS"}
     assert found[0] == found[1]
