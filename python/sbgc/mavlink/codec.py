@@ -11,7 +11,6 @@ from hashlib import sha256
 from hmac import compare_digest
 from importlib import import_module
 from struct import Struct
-from types import SimpleNamespace
 from typing import Any, NamedTuple, Optional
 
 mav: Any = import_module("pymavlink.dialects.v20.common")  # messages and numbers of common.xml
@@ -21,14 +20,19 @@ SIGNING_BEGIN, SIGNING_STEPS = 1420070400, 100_000  # signatures count 10 us fro
 Ids = tuple[int, int]  # a system and a component
 
 
-def constants(name: str) -> Any:
+class Constants:
     """The values of an enumeration of common.xml, whose names lack that of the enumeration."""
-    values = mav.enums[name].items()
-    return SimpleNamespace(**{one.name[len(name) + 1 :]: value for value, one in values})
+
+    def __init__(self, name: str) -> None:
+        values = mav.enums[name].items()
+        self.__dict__.update({one.name[len(name) + 1 :]: value for value, one in values})
+
+    def __getattr__(self, name: str) -> int:
+        raise AttributeError(name)
 
 
-Flags = constants("GIMBAL_DEVICE_FLAGS")  # those of managers have the same values
-Result = constants("MAV_RESULT")
+Flags = Constants("GIMBAL_DEVICE_FLAGS")  # those of managers have the same values
+Result = Constants("MAV_RESULT")
 
 
 class Message(NamedTuple):
@@ -70,9 +74,7 @@ class Codec(mav.MAVLink):  # type: ignore[misc]
 
     def __init__(self, key: Optional[bytes], counters: Counter[str]) -> None:
         super().__init__(None)
-        self.robust_parsing, self._counters = True, counters
-        self.buf: bytearray
-        self.buf_index: int
+        self.robust_parsing, self.buf_index, self._counters = True, 0, counters
         if key is not None:
             self.signing.secret_key, self.signing.sign_outgoing = key, True
             self.signing.timestamp = int((time.time() - SIGNING_BEGIN) * SIGNING_STEPS)

@@ -12,7 +12,7 @@ from typing import Any, Optional
 
 from sbgc.emulator import Angles
 from sbgc.mavlink import LOG
-from sbgc.mavlink.codec import TYPES, constants, Flags, Ids, Message, Result, mav
+from sbgc.mavlink.codec import TYPES, Constants, Flags, Ids, Message, Result, mav
 from sbgc.mavlink.geometry import angles_of, quaternion_of, rotation_of
 from sbgc.mavlink.head import Head
 from sbgc.mavlink.steering import YAW, Sample, Wish
@@ -31,7 +31,7 @@ MANAGES_GIMBALS = 0x40000  # the capability COMPONENT_IMPLEMENTS_GIMBAL_MANAGER
 ONE_COMPONENT = 1  # the gimbal_device_id of a gimbal that is one component with its manager
 VERSION = 3  # of MAVLink, in heartbeats
 NOBODY = 5.0  # seconds without a setpoint after which a gimbal has no manager
-Failures, E = constants("GIMBAL_DEVICE_ERROR_FLAGS"), SystemErrors
+Failures, E = Constants("GIMBAL_DEVICE_ERROR_FLAGS"), SystemErrors
 MOTORS = E.ERR_SET_POWER | E.ERR_CALIB_POLES | E.ERR_MISS_STEPS | E.ERR_EMERGENCY_STOP
 ERRORS = {  # of the board, by what tells them
     Failures.POWER_ERROR: E.ERR_LOW_BAT1 | E.ERR_LOW_BAT2,

@@ -22,8 +22,7 @@ from sbgc.parameters import Profile
 
 INTERVAL = 0.05  # seconds between samples, and between repetitions for an axis that follows
 PACE = 0.02  # a board takes 50 commands a second
-STALE, LOST = 0.5, 2.0  # seconds without a sample
-AGAIN = 2.0
+STALE, LOST, AGAIN = 0.5, 2.0, 2.0  # seconds without a sample, and until the next try
 
 
 class Head:

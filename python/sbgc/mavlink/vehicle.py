@@ -19,8 +19,7 @@ PEERS = 8  # how many senders of datagrams are answered: the last ones
 QUEUE = 16384  # bytes that may wait; what does not fit would be old when it leaves
 AUTOPILOT = 1  # its component, and its system if nobody has changed it
 GROUND_STATION, NONE = mav.MAV_TYPE_GCS, mav.MAV_AUTOPILOT_INVALID
-SILENCE = 5.0  # seconds without a message after which somebody is gone
-REPORT = 60.0
+SILENCE, REPORT = 5.0, 60.0  # seconds after which somebody is gone, and between reports
 
 
 class Vehicle:
