@@ -36,37 +36,10 @@ struct MenuOptions {
   Arming arming{};
 };
 
-std::span<const ValueInfo> actions() { return EnumMeta<msg::MenuCommand>::info.values; }
-
-/// The words that all names begin with, including the last underscore.
-std::string_view common_prefix() {
-  std::string_view prefix = actions().front().name;
-  for (const ValueInfo& action : actions()) {
-    const std::string_view name = action.name;
-    const auto [end, other] = std::ranges::mismatch(prefix, name);
-    prefix = prefix.substr(0, static_cast<std::size_t>(end - prefix.begin()));
-  }
-  return prefix.substr(0, prefix.rfind('_') + 1);
-}
-
-/// For example "profile1".
-std::string short_name(const ValueInfo& action) {
-  return detail::lower_case(std::string_view(action.name).substr(common_prefix().size()));
-}
-
-std::string without_dashes(std::string word) {
-  std::ranges::replace(word, '-', '_');
-  return word;
-}
-
 const ValueInfo& action_of(const std::string& word) {
+  if (const ValueInfo* const action = menu_action(word)) return *action;
   std::vector<std::string> names;
-  for (const ValueInfo& action : actions()) {
-    const std::string name = short_name(action);
-    if (detail::is_same_word(without_dashes(word), name) || detail::is_same_word(word, action.name))
-      return action;
-    names.push_back(name);
-  }
+  for (const ValueInfo& action : menu_actions()) names.push_back(short_name(action));
   const auto near = detail::nearest(without_dashes(detail::lower_case(word)), names);
   throw CommandError(fmt::format("unknown menu action '{}'{}", clipped(word),
                                  detail::did_you_mean(near, "`sbgc menu --list` lists them")),
@@ -75,8 +48,8 @@ const ValueInfo& action_of(const std::string& word) {
 
 void list_actions() {
   std::size_t width = 0;
-  for (const ValueInfo& action : actions()) width = std::max(width, short_name(action).size());
-  for (const ValueInfo& action : actions()) {
+  for (const ValueInfo& action : menu_actions()) width = std::max(width, short_name(action).size());
+  for (const ValueInfo& action : menu_actions()) {
     const std::size_t column = width + 2;
     std::string text = action.summary;
     if (action.since.firmware != 0) {
@@ -140,7 +113,7 @@ void add_menu(CLI::App& app, CommandContext& context) {
   auto& options = command.options();
   command
       ->add_option("action", options.action,
-                   "Name of the action, with or without " + std::string(common_prefix()))
+                   "Name of the action, with or without " + std::string(menu_prefix()))
       ->type_name("ACTION");
   command->add_flag("--list", options.list, "List the actions");
   command->footer(

@@ -4,7 +4,9 @@
 #include <array>
 
 #include <sbgc/client/profiles.hpp>
+#include <sbgc/internal/words.hpp>
 #include <sbgc/messages/control.hpp>
+#include <sbgc/meta/enums.hpp>
 
 namespace sbgc::tools {
 
@@ -15,6 +17,36 @@ constexpr std::array profiles{msg::MenuCommand::profile1, msg::MenuCommand::prof
                               msg::MenuCommand::profile5};
 
 }  // namespace
+
+std::span<const ValueInfo> menu_actions() { return EnumMeta<msg::MenuCommand>::info.values; }
+
+std::string_view menu_prefix() {
+  std::string_view prefix = menu_actions().front().name;
+  for (const ValueInfo& action : menu_actions()) {
+    const std::string_view name = action.name;
+    const auto end = std::mismatch(prefix.begin(), prefix.end(), name.begin(), name.end()).first;
+    prefix = prefix.substr(0, static_cast<std::size_t>(end - prefix.begin()));
+  }
+  return prefix.substr(0, prefix.rfind('_') + 1);
+}
+
+std::string short_name(const ValueInfo& action) {
+  return detail::lower_case(std::string_view(action.name).substr(menu_prefix().size()));
+}
+
+std::string without_dashes(std::string word) {
+  std::replace(word.begin(), word.end(), '-', '_');
+  return word;
+}
+
+const ValueInfo* menu_action(std::string_view word) {
+  const std::string bare = without_dashes(std::string(word));
+  for (const ValueInfo& action : menu_actions()) {
+    if (detail::is_same_word(bare, short_name(action)) || detail::is_same_word(word, action.name))
+      return &action;
+  }
+  return nullptr;
+}
 
 Task<Result<void>> perform(msg::MenuCommand action, CallOptions options) {
   const TaskMachine& task = co_await tasks::this_task();

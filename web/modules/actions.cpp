@@ -8,7 +8,6 @@
 #include <sbgc/internal/parse_number.hpp>
 #include <sbgc/internal/words.hpp>
 #include <sbgc/messages/control.hpp>
-#include <sbgc/meta/enums.hpp>
 
 #include "modules/client.hpp"
 #include "modules/lines.hpp"
@@ -96,15 +95,10 @@ Task<Result<void>> switch_motors() {
 }
 
 std::string menu(Client& client, double id, std::string_view name) {
-  constexpr std::string_view prefix = "MENU_CMD_";
-  for (const ValueInfo& action : EnumMeta<msg::MenuCommand>::info.values) {
-    std::string_view known = action.name;
-    if (known.starts_with(prefix)) known.remove_prefix(prefix.size());
-    if (!detail::is_same_word(known, name)) continue;
-    client.start(id, tools::perform(static_cast<msg::MenuCommand>(action.value), {}));
-    return "";
-  }
-  return no_action(name);
+  const ValueInfo* const action = tools::menu_action(name);
+  if (action == nullptr) return no_action(name);
+  client.start(id, tools::perform(static_cast<msg::MenuCommand>(action->value), {}));
+  return "";
 }
 
 }  // namespace

@@ -119,7 +119,4 @@ SBGC_EXPORT(board_next) double board_next() {
   return board() ? in_us(board()->emulator.next()) : in_us(Instant::never);
 }
 
-/// The output is a line for each fault of board_start(): its name and the form of its value.
-SBGC_EXPORT(board_faults) void board_faults() { tools::exchange().output = serving::fault_names(); }
-
 }  // namespace sbgc::web

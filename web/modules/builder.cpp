@@ -30,6 +30,7 @@
 
 #include "frames/json_string.hpp"
 #include "modules/exchange.hpp"
+#include "modules/lines.hpp"
 #include "modules/message_form.hpp"
 #include "values/complete_message.hpp"
 #include "values/unnamed.hpp"
@@ -43,12 +44,7 @@ using Problem = std::pair<std::string, std::string>;
 
 constexpr const char* no_message = "there is no such message";
 
-/// Takes the next line from a text.
-std::string_view take_line(std::string_view& text) {
-  const std::string_view line = text.substr(0, text.find('\n'));
-  text.remove_prefix(std::min(line.size() + 1, text.size()));
-  return line;
-}
+std::string_view take_line(std::string_view& text) { return web::take_until('\n', text); }
 
 /// Returns a sentence about a field without the path at its start.
 Problem about(std::string_view path, const std::string& sentence) {
@@ -201,25 +197,21 @@ void encode(std::string_view input, std::string& output) {
 /// Makes the frame of the input.
 SBGC_EXPORT(build) void sbgc_build() {
   auto& exchange = sbgc::tools::exchange();
-  const std::string input(exchange.input.begin(), exchange.input.end());
   exchange.output.clear();
-  sbgc::tools::build(input, exchange.output);
+  sbgc::tools::build(sbgc::web::input_text(), exchange.output);
 }
 
 /// Makes the frame of a message in JSON.
 SBGC_EXPORT(encode) void sbgc_encode() {
   auto& exchange = sbgc::tools::exchange();
-  const std::string input(exchange.input.begin(), exchange.input.end());
   exchange.output.clear();
-  sbgc::tools::encode(input, exchange.output);
+  sbgc::tools::encode(sbgc::web::input_text(), exchange.output);
 }
 
 /// Writes a new message as JSON; nothing if there is no such message.
 SBGC_EXPORT(defaults) void sbgc_defaults() {
-  auto& exchange = sbgc::tools::exchange();
-  const std::string name(exchange.input.begin(), exchange.input.end());
-  const sbgc::MessageType* const type = sbgc::find_message(name);
-  exchange.output = type == nullptr ? "" : sbgc::tools::new_message(*type).to_json();
+  const sbgc::MessageType* const type = sbgc::find_message(sbgc::web::input_text());
+  sbgc::tools::exchange().output = type == nullptr ? "" : sbgc::tools::new_message(*type).to_json();
 }
 
 /// Lists the names of all messages, one a line, '>' before those that are sent to the board.

@@ -62,10 +62,9 @@ SBGC_EXPORT(client_diagnose) void client_diagnose(double id) {
   if (client()) client()->diagnose(id);
 }
 
-/// The output is a line of JSON for each report since the last time: {"identity": …}, {"failed":
-/// …},
-/// {"notice": …}, {"errors": "names, one a line"}, or {"done": ID, "error": …} with what the client
-/// was asked for.
+/// The output is a line of JSON for each report since the last time: {"identity": "…"},
+/// {"failed": "…"}, {"notice": "…"}, {"errors": "names, one a line"}, or {"done": ID, "error": "…"}
+/// with what the client was asked for.
 SBGC_EXPORT(client_reports) void client_reports() {
   tools::exchange().output = client() ? client()->take_reports() : "";
 }

@@ -55,9 +55,4 @@ export class Board {
   get next(): number {
     return this.#wasm.call("board_next");
   }
-
-  /** The names of the faults, with the form of their values. */
-  static faults(gimbal: Wasm): string {
-    return gimbal.text("board_faults", null);
-  }
 }

@@ -1,4 +1,4 @@
-// The functions of the WebAssembly modules.
+// What the WebAssembly modules take and say.
 
 /** A board as `sbgc emulate` makes it; what is missing has its usual value. */
 export interface EmulatorOptions {

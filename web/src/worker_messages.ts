@@ -11,7 +11,7 @@ export type Request =
   | { kind: "change"; options: EmulatorOptions }
   /** Virtual seconds for each second; 0 is a pause. */
   | { kind: "pace"; factor: number }
-  /** An action, such as "move pitch=-30 yaw=20 speed=40"; see Module.actions. */
+  /** An action, such as "move pitch=-30 yaw=20 speed=40"; see web/modules/actions.hpp. */
   | { kind: "act"; id: number; action: string }
   /** A request as a frame in hex, which the frame builder has made. */
   | { kind: "send"; id: number; frame: string }
