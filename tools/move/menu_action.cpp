@@ -24,7 +24,8 @@ std::string_view menu_prefix() {
   std::string_view prefix = menu_actions().front().name;
   for (const ValueInfo& action : menu_actions()) {
     const std::string_view name = action.name;
-    const auto end = std::mismatch(prefix.begin(), prefix.end(), name.begin(), name.end()).first;
+    const auto* const end =
+        std::mismatch(prefix.begin(), prefix.end(), name.begin(), name.end()).first;
     prefix = prefix.substr(0, static_cast<std::size_t>(end - prefix.begin()));
   }
   return prefix.substr(0, prefix.rfind('_') + 1);

@@ -152,7 +152,7 @@ std::string Client::send(double id, std::span<const std::uint8_t> bytes) {
       StringOutput out(more);
       put_member(out, ",\"kind\":", name_of(reply->kind));
       if (reply->id != 0) {
-        out.put(",\"frame\":\"");
+        out.put(R"(,"frame":")");
         put_frame(out, *reply);
         out.put('"');
       }

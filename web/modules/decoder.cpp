@@ -172,7 +172,7 @@ class Decoding {
     line.put(frame_header_size + frame.body.size());
     line.put(",\"rows\":");
     put_rows(line, decoded.rows);
-    line.put(decoded.is_guess ? ",\"is_guess\":true,\"note\":" : ",\"is_guess\":false,\"note\":");
+    line.put(decoded.is_guess ? R"(,"is_guess":true,"note":)" : R"(,"is_guess":false,"note":)");
     put_json_string(line, decoded.note);
     if (!decoded.status) {
       line.put(",\"reason\":");

@@ -260,7 +260,7 @@ std::vector<FormLine> MessageForm::lines() const {
     add_lines(lines, field, field.name, false);
   }
   std::stable_sort(lines.begin(), lines.end(), [](const FormLine& a, const FormLine& b) {
-    return a.is_in_unit < b.is_in_unit;
+    return !a.is_in_unit && b.is_in_unit;
   });
   return lines;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 #include <variant>
 
 #include <sbgc/text.hpp>
@@ -31,8 +32,8 @@ std::string shortest_number(double value, IsRight&& is_right) {
 /// Reads texts back as the value that they are to stand for.
 class Reader {
  public:
-  Reader(const FieldType& type, const Leaf& leaf, std::uint64_t present)
-      : type_(type), leaf_(leaf), present_(present) {
+  Reader(FieldType type, const Leaf& leaf, std::uint64_t present)
+      : type_(std::move(type)), leaf_(leaf), present_(present) {
     type_.unit = leaf.unit;
     type_.names = leaf.names;
     type_.packed = leaf.packed;
