@@ -88,7 +88,7 @@ def test_several_gimbals_of_two_systems_on_tcp_and_a_serial_port(tmp_path: Path)
         file.write_text(TWO.format(port=port, terminal=terminal, address=camera.address))
         with program(f"--config={file}") as process:
             assert process.stderr is not None
-            while "connected" not in process.stderr.readline():
+            while f"{port}: open" not in process.stderr.readline():
                 pass
             with socket.create_connection(("127.0.0.1", port), 1) as line:
                 line.sendall(b"0 0 0 ")  # as ArduPilot begins

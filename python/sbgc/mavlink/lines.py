@@ -49,6 +49,7 @@ async def _internet(vehicle: Vehicle, kind: str, host: str, port: int) -> None:
     else:
         place: dict[str, Any] = {"remote_addr" if kind == "udpout" else "local_addr": (host, port)}
         opened, _ = await loop.create_datagram_endpoint(lambda: line, **place)
+    LOG.info("%s:%s:%d: open", kind, host, port)
     try:
         await line.lost
     finally:
@@ -68,6 +69,7 @@ async def _serial(vehicle: Vehicle, path: str, speed: int) -> None:
             raise OSError(f"no serial port: {error}") from None
         reading, _ = await loop.connect_read_pipe(lambda: line, port)
         line.transport, _ = await loop.connect_write_pipe(asyncio.BaseProtocol, port)
+        LOG.info("%s: open", path)
         try:
             await line.lost
         finally:
