@@ -1,0 +1,175 @@
+// What the page that sets up a real gimbal and its worker tell each other, besides worker_messages.ts.
+// The worker owns the line, the client, the clock, and an emulated board for trials.
+
+import type * as playground from "./worker_messages.js";
+import type { Axes } from "./worker_messages.js";
+
+/** The end of a line: a port of Web Serial, or the WebSocket of `sbgc bridge`. */
+export type Place =
+  /** One of navigator.serial.getPorts(); adapters of one kind differ only by their place in it. */
+  | { kind: "serial"; index: number; vendor: number | null; product: number | null }
+  | { kind: "bridge"; url: string; token: string };
+
+export interface LineSettings {
+  baudRate: number;
+  parity: "none" | "even";
+}
+
+/** From the page. The worker answers everything that has an `id` with `done` of the same one. */
+export type Request =
+  | Extract<playground.Request, { kind: "act" | "send" | "decode" | "doctor" | "log" }>
+  /** Opens the line, searches for its settings unless they are given, and identifies the board. */
+  | { kind: "connect"; id: number; place: Place; line: LineSettings | null }
+  /** Stops what this page moves, and gives the line back. */
+  | { kind: "disconnect"; id: number }
+  /** Whether `act` and `hold` may move the camera; a new connection is not armed. */
+  | { kind: "arm"; on: boolean }
+  /** Stops the camera, before everything that waits. */
+  | { kind: "stop"; id: number }
+  /**
+   * Turns at these speeds, roll, pitch, yaw in degrees a second, as long as it is repeated: the camera
+   * brakes when none has come for 300 ms. All 0: it stops.
+   */
+  | { kind: "hold"; speeds: Axes }
+  /** Begins and ends a recording; `done` has its bytes, which `sbgc decode` reads. */
+  | { kind: "record"; on: boolean; id: number }
+  /** Reads all parameters. */
+  | { kind: "parameters"; id: number }
+  /** The parameters of a profile, from 1, as they were read. */
+  | { kind: "profile"; id: number; profile: number }
+  /** What these values would change: by `message.path`, as people write them, in one profile. */
+  | { kind: "plan"; id: number; profile: number; values: Record<string, string> }
+  /** What a file would change: a backup, or one of the vendor's program. */
+  | { kind: "plan-file"; id: number; name: string; text: string; profile: number }
+  /** What would undo the last writing. */
+  | { kind: "plan-undo"; id: number }
+  /** Writes the last plan to an emulated board that has the parameters of the real one. */
+  | { kind: "try"; id: number }
+  /** Writes the last plan, reads back and compares. */
+  | { kind: "write"; id: number }
+  /** The text of a backup. */
+  | { kind: "backup"; id: number }
+  | { kind: "calibrations"; id: number }
+  /** Looks whether the gimbal is as the calibration expects it. */
+  | { kind: "check"; id: number; calibration: string; values: Record<string, string> }
+  | { kind: "calibrate"; id: number; calibration: string; values: Record<string, string> }
+  /** Tunes the controllers; the parameters are read before, for `plan-undo`. */
+  | { kind: "tune"; id: number; axes: [boolean, boolean, boolean]; gain: number; profile: number }
+  /** Records the frequency response of an axis, 0 roll, 1 pitch, 2 yaw, with the usual stimulus. */
+  | { kind: "bode"; id: number; axis: number }
+  /** Ends a calibration's wait, a tuning or a recording as far as the board allows. */
+  | { kind: "cancel"; id: number };
+
+/** To the page. */
+export type Report =
+  | Exclude<playground.Report, { kind: "done" | "ready" }>
+  | { kind: "ready" }
+  | { kind: "link"; state: LinkState; text: string }
+  /** Of a task that takes long. `share` is 0 to 1, null if it is not known. */
+  | { kind: "progress"; id: number; share: number | null; text: string }
+  | (Extract<playground.Report, { kind: "done" }> & { result?: unknown });
+
+export type LinkState = "closed" | "searching" | "connected" | "lost";
+
+/** The result of `connect`. */
+export interface Connected {
+  identity: string;
+  /** The serial number; "" if the board has none. */
+  serialNumber: string;
+  /** The settings of a serial line. */
+  line: LineSettings | null;
+  /** What this board and firmware lack, in sentences. */
+  lacks: string[];
+}
+
+/** The result of `parameters` and `write`. */
+export interface Read {
+  /** From 1. */
+  active: number;
+  profiles: number;
+}
+
+/** The result of `profile`: the topics, and the parameters in them. */
+export interface Topic {
+  name: string;
+  summary: string;
+  parameters: Parameter[];
+}
+
+export interface Parameter {
+  /** Message and path, such as ReadParams3.axes.roll.p. */
+  name: string;
+  path: string;
+  summary: string;
+  /** As people read and write it, with the unit. */
+  text: string;
+  unit: string;
+  /** In the unit; null: no limit is known. */
+  least: number | null;
+  most: number | null;
+  /** Of an enum or of flags: name, summary. */
+  names: [string, string][];
+  kind: "number" | "enum" | "flags" | "text" | "bytes";
+  /** The same in all profiles. */
+  general: boolean;
+  /** The default of the firmware, as an emulated board has it; "" if it is not known. */
+  default: string;
+}
+
+/** The result of `plan`, `plan-file` and `plan-undo`. */
+export interface Plan {
+  changes: Change[];
+  /** What is wrong with the values: `message.path`, or "", and a sentence. Nothing can be written then. */
+  problems: [string, string][];
+  /** What of a file is not taken, and what does not fit this board: sentences. */
+  remarks: string[];
+}
+
+export interface Change {
+  name: string;
+  /** From 1; 0: all or none. */
+  profile: number;
+  before: string;
+  after: string;
+  /** It changes the line to this page, so it is written last. */
+  line: boolean;
+}
+
+/** The result of `try`: what the emulated board says, in the units of the view. */
+export interface Trial {
+  /** Sentences of the doctor before and with the plan. */
+  before: string[];
+  after: string[];
+}
+
+/** The result of `write`. */
+export interface Written {
+  ok: boolean;
+  /** The outcome, and the state of each block, for people. */
+  text: string;
+}
+
+/** One of the result of `calibrations`. */
+export interface Calibration {
+  name: string;
+  summary: string;
+  /** What to do before: how to hold the camera. */
+  preparation: string;
+  effects: string;
+  /** Fields that need a value. */
+  values: { path: string; unit: string; summary: string }[];
+}
+
+/** The result of `check`: "" if the gimbal is ready. */
+export interface Check {
+  problem: string;
+}
+
+/** The result of `bode`: frequencies in hertz, gain in decibels, phase in degrees. */
+export interface Response {
+  frequency: number[];
+  gain: number[];
+  phase: number[];
+  /** For the vendor's program, and `sbgc bode`. */
+  csv: string;
+}
