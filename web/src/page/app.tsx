@@ -14,8 +14,8 @@ import { Log } from "./log.js";
 import { Numbers } from "./numbers.js";
 import { Offline } from "./offline.js";
 import { GimbalView } from "./scene.js";
-import { DeskContext, type Desk, type Session } from "./session.js";
-import { Status } from "./status.js";
+import { DeskContext, type Desk, type Playground } from "./session.js";
+import { Pace, Status } from "./status.js";
 import { Trial } from "./trial.js";
 import { emulationOf, linkOf, readLink, usualValues, type Values } from "./values.js";
 
@@ -32,7 +32,7 @@ interface Outcome {
   isBad: boolean;
 }
 
-export function App({ session }: { session: Session }) {
+export function App({ session }: { session: Playground }) {
   const [{ first, refusal }] = useState(() => {
     const read = readLink(linkInAddress());
     return typeof read === "string"
@@ -106,6 +106,10 @@ export function App({ session }: { session: Session }) {
     session.start(optionsOf(emulationOf(values)));
     session.pace(pace);
   };
+  const choosePace = (factor: number): void => {
+    session.pace(factor);
+    setPace(factor);
+  };
   const desk: Desk = {
     session,
     language,
@@ -125,13 +129,12 @@ export function App({ session }: { session: Session }) {
           <p>The link is refused, and nothing of it is used: {refused}.</p>
         </div>
       )}
-      <Status
-        identity={identity}
-        pace={pace}
-        onPace={setPace}
-        onRestart={restart}
-        onStop={() => void run(stop, "Stop")}
-      />
+      <Status title={identity || "The board starts…"} onStop={() => void run(stop, "Stop")}>
+        <Pace pace={pace} onPace={choosePace} />
+        <button type="button" class="plain quiet small" onClick={restart}>
+          New board
+        </button>
+      </Status>
       {values.send && (
         <Trial key={values.send} hex={values.send} onClose={() => set({ send: "" })} />
       )}
