@@ -7,10 +7,9 @@ import type * as setup from "../../setup_messages.js";
 import type { Axes } from "../../worker_messages.js";
 import { Session, type Progress, type Question } from "../session.js";
 
-/** What `done` brings. */
+/** What `done` brings, where the page looks at it. */
 interface Results {
   connect: setup.Connected;
-  disconnect: void;
   record: Uint8Array<ArrayBuffer> | undefined;
   parameters: setup.Read;
   profile: setup.Topic[];
@@ -25,7 +24,6 @@ interface Results {
   calibrate: void;
   tune: void;
   bode: setup.Response;
-  cancel: void;
 }
 type Asked<K extends keyof Results> = Omit<Question<Extract<setup.Request, { kind: K }>>, "kind">;
 type OnProgress = (progress: Progress) => void;
