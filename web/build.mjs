@@ -1,4 +1,4 @@
-// Bundles the page of the playground: node build.mjs SITE. The wasm modules are in SITE already.
+// Bundles the playground, and the page that sets up a real gimbal: node build.mjs SITE. The wasm modules are in SITE already.
 
 import { createHash } from "node:crypto";
 import fs from "node:fs";
@@ -25,9 +25,30 @@ const options = {
   metafile: true,
 };
 
+/** What a page and its worker are made of: they tell each other, since a cache can mix versions. */
+function versionOf(folder, ...more) {
+  const names = fs.readdirSync(folder, { recursive: true, withFileTypes: true });
+  const sources = names.filter((one) => one.isFile()).map((one) => path.join(one.path, one.name));
+  const version = createHash("sha256");
+  for (const file of [...sources.sort(), ...more]) version.update(fs.readFileSync(file));
+  return version.digest("hex").slice(0, 16);
+}
+const modules = fs.readdirSync(output).filter((name) => name.endsWith(".wasm"));
+const version = versionOf(
+  path.join(here, "src"),
+  path.join(here, "package-lock.json"),
+  ...modules.map((name) => path.join(output, name)),
+);
+
 const { metafile } = await esbuild.build({
   ...options,
-  entryPoints: { main: "src/page/main.tsx", worker: "src/worker.ts" },
+  entryPoints: {
+    main: "src/page/main.tsx",
+    worker: "src/worker.ts",
+    setup: "src/page/setup/main.tsx",
+    setup_worker: "src/setup_worker.ts",
+  },
+  define: { VERSION: JSON.stringify(version) },
   splitting: true,
   outdir: path.resolve(output),
   chunkNames: "[name]-[hash]",
@@ -45,9 +66,10 @@ const licenses = [...new Set(packages)].sort().map((name) => {
 });
 fs.writeFileSync(path.join(output, "licenses.txt"), licenses.join(`\n${"-".repeat(80)}\n\n`));
 
-// What the playground needs without a network.
+// What the pages need without a network.
 const files = [
   "playground.html",
+  "setup.html",
   "assets/style.css",
   ...fs.readdirSync(path.join(site, "assets")).flatMap((file) =>
     /^(playground.*|theme\.js|page\.js|firmware\.js|icon\.svg)$/.test(file) &&

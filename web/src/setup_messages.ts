@@ -61,6 +61,7 @@ export type Request =
 /** To the page. */
 export type Report =
   | Exclude<playground.Report, { kind: "done" | "ready" }>
+  /** The worker's VERSION, which build.mjs defines in the page as well. */
   | { kind: "ready"; version: string }
   | { kind: "link"; state: LinkState; text: string }
   /** Of a task that takes long. `share` is 0 to 1, null if it is not known. */

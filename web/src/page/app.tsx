@@ -13,9 +13,10 @@ import { languages, stop, type Action, type Language } from "./lines.js";
 import { Log } from "./log.js";
 import { Numbers } from "./numbers.js";
 import { Offline } from "./offline.js";
+import { useOutcome } from "./outcome.js";
 import { GimbalView } from "./scene.js";
-import { DeskContext, type Desk, type Session } from "./session.js";
-import { Status } from "./status.js";
+import { DeskContext, type Desk, type Playground } from "./session.js";
+import { Pace, Status } from "./status.js";
 import { Trial } from "./trial.js";
 import { emulationOf, linkOf, readLink, usualValues, type Values } from "./values.js";
 
@@ -27,12 +28,7 @@ const isTyping = (target: EventTarget | null): boolean =>
 /** The skip link of the site has an address of its own. */
 const linkInAddress = (): string => (location.hash === "#main" ? "" : location.hash);
 
-interface Outcome {
-  text: string;
-  isBad: boolean;
-}
-
-export function App({ session }: { session: Session }) {
+export function App({ session }: { session: Playground }) {
   const [{ first, refusal }] = useState(() => {
     const read = readLink(linkInAddress());
     return typeof read === "string"
@@ -45,9 +41,8 @@ export function App({ session }: { session: Session }) {
   const [identity, setIdentity] = useState("");
   const [failure, setFailure] = useState("");
   const [notice, setNotice] = useState("");
-  const [outcome, setOutcome] = useState<Outcome>({ text: "", isBad: false });
+  const { outcome, follow, clear } = useOutcome();
   const [pace, setPace] = useState(1);
-  const latest = useRef(0);
   const set = (change: Partial<Values>): void => setValues((now) => ({ ...now, ...change }));
 
   useEffect(() => {
@@ -71,14 +66,8 @@ export function App({ session }: { session: Session }) {
     return () => clearTimeout(timer);
   }, [session, emulation]);
 
-  /** Only the newest action says how it ended: it has taken the camera from those before. */
-  const run = async (action: Action, label: string): Promise<void> => {
-    const number = ++latest.current;
-    setOutcome({ text: `${label} …`, isBad: false });
-    const done = await session.ask({ kind: "act", action: action.text });
-    if (number !== latest.current) return;
-    setOutcome({ text: `${label}: ${done.error ?? "done"}`, isBad: Boolean(done.error) });
-  };
+  const run = (action: Action, label: string): Promise<void> =>
+    follow(label, session.ask({ kind: "act", action: action.text }));
 
   useEffect(() => {
     const key = (event: KeyboardEvent): void => {
@@ -101,10 +90,14 @@ export function App({ session }: { session: Session }) {
 
   const restart = (): void => {
     setIdentity("");
-    setOutcome({ text: "", isBad: false });
+    clear();
     setNotice("");
     session.start(optionsOf(emulationOf(values)));
     session.pace(pace);
+  };
+  const choosePace = (factor: number): void => {
+    session.pace(factor);
+    setPace(factor);
   };
   const desk: Desk = {
     session,
@@ -125,13 +118,12 @@ export function App({ session }: { session: Session }) {
           <p>The link is refused, and nothing of it is used: {refused}.</p>
         </div>
       )}
-      <Status
-        identity={identity}
-        pace={pace}
-        onPace={setPace}
-        onRestart={restart}
-        onStop={() => void run(stop, "Stop")}
-      />
+      <Status title={identity || "The board starts…"} onStop={() => void run(stop, "Stop")}>
+        <Pace pace={pace} onPace={choosePace} />
+        <button type="button" class="plain quiet small" onClick={restart}>
+          New board
+        </button>
+      </Status>
       {values.send && (
         <Trial key={values.send} hex={values.send} onClose={() => set({ send: "" })} />
       )}

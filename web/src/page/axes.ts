@@ -9,7 +9,7 @@ export type AxisName = (typeof axisNames)[number];
 export const axisNumbers = [0, 1, 2] as const;
 
 /** The sides to which an axis turns if it is positive and negative. */
-const sides = { roll: ["right", "left"], pitch: ["down", "up"], yaw: ["right", "left"] } as const;
+export const sides = { roll: ["right", "left"], pitch: ["down", "up"], yaw: ["right", "left"] } as const;
 
 /** Rounded, and never -0. */
 export function fixed(value: number, digits = 1): string {

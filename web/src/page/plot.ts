@@ -22,11 +22,13 @@ export interface PlotOptions {
   hasTargets?: boolean;
   /** The vertical scale begins at 0. */
   hasZero?: boolean;
+  /** One column, by the frequency in hertz. */
+  isResponse?: boolean;
 }
 
-/** Columns for three axes. */
+/** Columns for three axes, or a response. */
 export function createPlot(place: HTMLElement, options: PlotOptions): Plot {
-  const { unit, hasTargets, hasZero } = options;
+  const { unit, hasTargets, hasZero, isResponse } = options;
   const color = colorsOf(place);
   const line = (n: number, dash: number[]): uPlot.Series => ({
     stroke: color(colors[n % 3] ?? "--text"),
@@ -44,6 +46,10 @@ export function createPlot(place: HTMLElement, options: PlotOptions): Plot {
     const margin = Math.max((leastSpan - (high - low)) / 2, (high - low) * 0.08);
     return hasZero ? [0, Math.max(high, leastSpan) + margin] : [low - margin, high + margin];
   };
+  const time: uPlot.Scale = {
+    time: false,
+    range: (_, low, high) => [low, Math.max(high, low + seconds)],
+  };
   const plot = new uPlot(
     {
       width: place.clientWidth,
@@ -51,21 +57,22 @@ export function createPlot(place: HTMLElement, options: PlotOptions): Plot {
       cursor: { show: false },
       legend: { show: false },
       scales: {
-        x: { time: false, range: (_, low, high) => [low, Math.max(high, low + seconds)] },
+        x: isResponse ? { time: false, distr: 3 } : time,
         y: { range },
       },
       axes: [
         {
           ...axis,
           size: 24,
-          incrs: [1, 2, 5, 10, 15, 30],
-          values: (_, ticks) => ticks.map((one) => `${one} s`),
+          ...(isResponse ? {} : { incrs: [1, 2, 5, 10, 15, 30] }),
+          values: (_, ticks) =>
+            ticks.map((one) => (one === null ? null : `${one} ${isResponse ? "Hz" : "s"}`)),
         },
         { ...axis, size: 52, values: (_, ticks) => ticks.map((one) => `${one}${unit}`) },
       ],
       series: [
         {},
-        ...[0, 1, 2].map((n) => line(n, [])),
+        ...(isResponse ? [0] : [0, 1, 2]).map((n) => line(n, [])),
         ...(hasTargets ? [0, 1, 2].map((n) => line(n, [4, 4])) : []),
       ],
     },

@@ -4,22 +4,32 @@ import { createContext } from "preact";
 import { useContext, useEffect, useState } from "preact/hooks";
 
 import type { EmulatorOptions } from "../modules.js";
-import type { Report, Request, View } from "../worker_messages.js";
+import type * as setup from "../setup_messages.js";
+import type * as playground from "../worker_messages.js";
+import type { View } from "../worker_messages.js";
 import type { Action, Language } from "./lines.js";
 
+/** What a page may hear; a worker says the part that is its own. */
+export type Report = playground.Report | setup.Report;
+type Request = playground.Request | setup.Request;
 export type Done = Extract<Report, { kind: "done" }>;
+export type Progress = Extract<Report, { kind: "progress" }>;
 /** A request that the worker answers, without its number. */
-type Question = Request extends infer R
-  ? R extends { id: number }
-    ? Omit<R, "id">
-    : never
+export type Question<R = Extract<Request, playground.Request>> = R extends { id: number }
+  ? Omit<R, "id">
   : never;
 
+interface Pending {
+  resolve(done: Done): void;
+  progress?: ((progress: Progress) => void) | undefined;
+}
+
+/** What both pages ask a gimbal, emulated or real. */
 export class Session {
   /** The newest one. */
   view: View | null = null;
   readonly #worker: Worker;
-  readonly #pending = new Map<number, (done: Done) => void>();
+  readonly #pending = new Map<number, Pending>();
   readonly #listeners = new Set<(report: Report) => void>();
   #last = 0;
 
@@ -31,27 +41,18 @@ export class Session {
     );
   }
 
-  start(options: EmulatorOptions): void {
-    this.#post({ kind: "start", options });
-  }
-
-  change(options: EmulatorOptions): void {
-    this.#post({ kind: "change", options });
-  }
-
-  pace(factor: number): void {
-    this.#post({ kind: "pace", factor });
-  }
-
   log(on: boolean): void {
-    this.#post({ kind: "log", on });
+    this.post({ kind: "log", on });
   }
 
-  ask(question: Question): Promise<Done> {
+  ask(
+    question: Question | Question<setup.Request>,
+    progress?: (progress: Progress) => void,
+  ): Promise<Done> {
     const id = ++this.#last;
     return new Promise((resolve) => {
-      this.#pending.set(id, resolve);
-      this.#post({ ...question, id } as Request);
+      this.#pending.set(id, { resolve, progress });
+      this.post({ ...question, id } as Request);
     });
   }
 
@@ -93,17 +94,33 @@ export class Session {
     };
   }
 
-  #post(request: Request): void {
+  protected post(request: Request): void {
     this.#worker.postMessage(request);
   }
 
   #take(report: Report): void {
     if (report.kind === "view") this.view = report.view;
     if (report.kind === "done") {
-      this.#pending.get(report.id)?.(report);
+      this.#pending.get(report.id)?.resolve(report);
       this.#pending.delete(report.id);
     }
+    if (report.kind === "progress") this.#pending.get(report.id)?.progress?.(report);
     for (const listener of this.#listeners) listener(report);
+  }
+}
+
+/** With an emulated board, whose owner is the page. */
+export class Playground extends Session {
+  start(options: EmulatorOptions): void {
+    this.post({ kind: "start", options });
+  }
+
+  change(options: EmulatorOptions): void {
+    this.post({ kind: "change", options });
+  }
+
+  pace(factor: number): void {
+    this.post({ kind: "pace", factor });
   }
 }
 

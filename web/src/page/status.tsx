@@ -1,30 +1,25 @@
-// The line at the top: the board, its battery, the errors that it reports, and the pace of time.
+// The line at the top: the board, its battery, the errors that it reports, and the button that stops.
+
+import type { ComponentChildren } from "preact";
 
 import { fixed } from "./axes.js";
-import { useDesk, useView } from "./session.js";
+import { useView } from "./session.js";
 
 const perSecond = 4;
 const paces = [0, 0.25, 1, 4, 16];
 
 interface Props {
-  identity: string;
-  pace: number;
-  onPace: (pace: number) => void;
-  onRestart: () => void;
+  title: string;
   onStop: () => void;
+  children?: ComponentChildren;
 }
 
-export function Status({ identity, pace, onPace, onRestart, onStop }: Props) {
-  const { session } = useDesk();
+export function Status({ title, onStop, children }: Props) {
   const view = useView(perSecond);
-  const choosePace = (factor: number): void => {
-    session.pace(factor);
-    onPace(factor);
-  };
   return (
     <div class="status">
       <p class="board">
-        <span class="identity">{identity || "The board starts…"}</span>
+        <span class="identity">{title}</span>
         {view && (
           <>
             <span class={view.motorsOn ? "good" : "warn"}>
@@ -42,25 +37,28 @@ export function Status({ identity, pace, onPace, onRestart, onStop }: Props) {
           </code>
         ))}
       </p>
-      <label class="pace">
-        Time
-        <select
-          value={pace}
-          onChange={(event) => choosePace(Number(event.currentTarget.value))}
-        >
-          {paces.map((one) => (
-            <option key={one} value={one}>
-              {one === 0 ? "paused" : `× ${one}`}
-            </option>
-          ))}
-        </select>
-      </label>
-      <button type="button" class="plain quiet small" onClick={onRestart}>
-        New board
-      </button>
-      <button type="button" class="plain stop" onClick={onStop}>
-        Stop <kbd>Esc</kbd>
-      </button>
+      {children}
+      <StopButton onStop={onStop} />
     </div>
   );
 }
+
+export const StopButton = ({ onStop }: { onStop: () => void }) => (
+  <button type="button" class="plain stop" onClick={onStop}>
+    Stop <kbd>Esc</kbd>
+  </button>
+);
+
+/** How quickly the time of an emulated board passes. */
+export const Pace = ({ pace, onPace }: { pace: number; onPace: (pace: number) => void }) => (
+  <label class="pace">
+    Time
+    <select value={pace} onChange={(event) => onPace(Number(event.currentTarget.value))}>
+      {paces.map((one) => (
+        <option key={one} value={one}>
+          {one === 0 ? "paused" : `× ${one}`}
+        </option>
+      ))}
+    </select>
+  </label>
+);

@@ -1,10 +1,11 @@
-// Loads the playground, which a browser runs only from a server.
+// Loads the script of a page that a browser runs only from a server; data-script names it.
 "use strict";
 
 (() => {
+  const { script } = document.currentScript.dataset;
   const notes = ["server", "missing", "loading"];
   const show = (shown) => {
-    for (const note of notes) document.getElementById(`playground-${note}`).hidden = note !== shown;
+    for (const note of notes) document.getElementById(`application-${note}`).hidden = note !== shown;
   };
   const add = (tag, attributes) => document.head.append(Object.assign(document.createElement(tag), attributes));
 
@@ -13,7 +14,7 @@
   add("link", { rel: "manifest", href: "assets/playground.webmanifest" });
   add("script", {
     type: "module",
-    src: "assets/playground/main.js",
+    src: `assets/playground/${script}`,
     onload: () => show(""),
     onerror: () => show("missing"),
   });

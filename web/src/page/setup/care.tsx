@@ -1,0 +1,219 @@
+// Doctor, calibrations, tuning and frequency responses.
+
+import { useEffect, useState } from "preact/hooks";
+
+import type { Calibration } from "../../setup_messages.js";
+import { axisNames, axisNumbers } from "../axes.js";
+import { DoctorPanel } from "../doctor.js";
+import { Select, SliderRow } from "../inputs.js";
+import { useView } from "../session.js";
+import type { Limits } from "../values.js";
+import { BodePanel } from "./bode.js";
+import { ArmSwitch, Dialog, TaskState } from "./parts.js";
+import { useBench, useTask } from "./setup_session.js";
+
+export const CarePanel = () => (
+  <>
+    <DoctorPanel />
+    <Calibrations />
+    <TunePanel />
+    <BodePanel />
+    <section aria-labelledby="firmware-title">
+      <h2 id="firmware-title">Firmware of the board</h2>
+      <p>This page does not update the firmware of a board: use the program of its vendor.</p>
+    </section>
+  </>
+);
+
+function Calibrations() {
+  const { session } = useBench();
+  const [all, setAll] = useState<Calibration[]>([]);
+  const task = useTask();
+  useEffect(() => {
+    void task.run(() => session.get("calibrations", {})).then((found) => setAll(found ?? []));
+  }, [session]);
+  return (
+    <section aria-labelledby="calibrations-title">
+      <h2 id="calibrations-title">Calibrations</h2>
+      {all.map((one) => (
+        <CalibrationCard key={one.name} calibration={one} />
+      ))}
+      <TaskState task={task} />
+    </section>
+  );
+}
+
+function CalibrationCard({ calibration }: { calibration: Calibration }) {
+  const { session, isConnected } = useBench();
+  const [values, setValues] = useState<Record<string, string>>({});
+  const [said, setSaid] = useState({ text: "", isGood: true });
+  const [asks, setAsks] = useState(false);
+  const task = useTask();
+  const { name, summary, preparation, effects } = calibration;
+  const asked = { calibration: name, values };
+  const isComplete = calibration.values.every(({ path }) => values[path]?.trim());
+  const isPossible = isConnected && !task.isBusy && isComplete;
+  const check = async (): Promise<void> => {
+    const found = await task.run((progress) => session.get("check", asked, progress));
+    if (!found) return setSaid({ text: "", isGood: false });
+    setSaid({ text: found.problem || "The gimbal is ready.", isGood: !found.problem });
+  };
+  const calibrate = async (): Promise<void> => {
+    setSaid({ text: "", isGood: true });
+    const done = await task.run(async (progress) => {
+      await session.get("calibrate", asked, progress);
+      return true;
+    });
+    if (done) setSaid({ text: "The calibration is done.", isGood: true });
+  };
+  return (
+    <details class="topic calibration">
+      <summary>
+        <b>{name}</b> <span class="muted">{summary}</span>
+      </summary>
+      <ol>
+        <li>
+          <b>Prepare.</b> {preparation || "Nothing is to prepare."}
+        </li>
+        {calibration.values.length > 0 && (
+          <li class="fields">
+            <b>Say</b>
+            {calibration.values.map(({ path, unit, summary: meaning }) => (
+              <label key={path}>
+                {meaning || path}{" "}
+                <input
+                  type="text"
+                  value={values[path] ?? ""}
+                  onInput={(event) => setValues({ ...values, [path]: event.currentTarget.value })}
+                />{" "}
+                <span class="unit">{unit}</span>
+              </label>
+            ))}
+          </li>
+        )}
+        <li>
+          <b>Check</b> that the gimbal is as the calibration expects it.
+        </li>
+        <li>
+          <b>Calibrate.</b> {effects} Hands off until it has ended, unless the step says otherwise.
+        </li>
+      </ol>
+      <div class="do">
+        <button
+          type="button"
+          class="plain quiet"
+          disabled={!isPossible}
+          onClick={() => void check()}
+        >
+          Check
+        </button>
+        <button
+          type="button"
+          class="plain"
+          disabled={!isPossible}
+          onClick={() => setAsks(true)}
+        >
+          Calibrate
+        </button>
+      </div>
+      <TaskState task={task} hasCancel />
+      <p class={said.isGood ? "good" : "bad"} role="status">
+        {said.text}
+      </p>
+      {asks && (
+        <Dialog
+          title={`Calibrate: ${name}?`}
+          action="Calibrate"
+          onAgree={() => void calibrate()}
+          onClose={() => setAsks(false)}
+        >
+          <p>
+            {summary} {effects}
+          </p>
+          {preparation && <p>Before: {preparation}</p>}
+        </Dialog>
+      )}
+    </details>
+  );
+}
+
+const gainLimits: Limits = { least: 0, most: 100, step: 1, usual: 50 };
+
+function TunePanel() {
+  const { session, isArmed, setUndo } = useBench();
+  const [axes, setAxes] = useState<[boolean, boolean, boolean]>([true, true, true]);
+  const [gain, setGain] = useState(gainLimits.usual);
+  const [chosen, setChosen] = useState(0);
+  const [isDone, setDone] = useState(false);
+  const task = useTask();
+  const active = useView(1)?.profile ?? 1;
+  const profile = chosen || active;
+  const names = axisNames.filter((_, n) => axes[n]).join(", ");
+  const tune = async (): Promise<void> => {
+    setDone(false);
+    const done = await task.run(async (progress) => {
+      await session.get("tune", { axes, gain, profile }, progress);
+      return true;
+    });
+    setUndo(true);
+    setDone(done ?? false);
+  };
+  return (
+    <section aria-labelledby="tune-title">
+      <h2 id="tune-title">Tune the controllers</h2>
+      <ArmSwitch>
+        The board shakes the camera about {names || "no axis"} for some minutes and stores new gains
+        in profile {profile}. Balance the camera, fasten the frame and keep your hands off.
+      </ArmSwitch>
+      <div class="filter">
+        <fieldset class="kinds">
+          <legend class="hidden">Axes to tune</legend>
+          {axisNumbers.map((n) => (
+            <label key={n}>
+              <input
+                type="checkbox"
+                checked={axes[n]}
+                onChange={() =>
+                  setAxes(axes.map((one, axis) => (axis === n ? !one : one)) as typeof axes)
+                }
+              />
+              {axisNames[n]}
+            </label>
+          ))}
+        </fieldset>
+        <label>
+          Profile{" "}
+          <Select
+            label="Profile to tune"
+            options={[1, 2, 3, 4, 5]}
+            value={profile}
+            onChange={(one) => setChosen(Number(one))}
+          />
+        </label>
+      </div>
+      <SliderRow
+        label="Gain"
+        unit="%"
+        limits={gainLimits}
+        value={gain}
+        describe={(one) => `${one} %; low is stable, high is stiff`}
+        onChange={setGain}
+      />
+      <button
+        type="button"
+        class="plain"
+        disabled={!isArmed || task.isBusy || !names}
+        onClick={() => void tune()}
+      >
+        Tune
+      </button>
+      <TaskState task={task} hasCancel />
+      {isDone && (
+        <p class="good" role="status">
+          The board has stored new gains. Read the parameters to see them; “Undo the last write” is
+          beside them.
+        </p>
+      )}
+    </section>
+  );
+}

@@ -1,0 +1,102 @@
+// Small parts: the switch that arms, the state of a task, a dialog that can stop, and downloads.
+
+import type { ComponentChildren } from "preact";
+import { useEffect, useRef } from "preact/hooks";
+
+import { StopButton } from "../status.js";
+import { useBench, type Task } from "./setup_session.js";
+
+export function ArmSwitch({ children }: { children: ComponentChildren }) {
+  const { isConnected, isArmed, arm } = useBench();
+  return (
+    <div class={isArmed ? "arming armed" : "arming"}>
+      <button
+        type="button"
+        role="switch"
+        aria-checked={isArmed}
+        class={isArmed ? "plain" : "plain quiet"}
+        disabled={!isConnected}
+        onClick={() => arm(!isArmed)}
+      >
+        Arm motion
+      </button>
+      <p>{children}</p>
+    </div>
+  );
+}
+
+/** Where a task stands; `hasCancel`: the worker can end it. */
+export function TaskState({ task, hasCancel }: { task: Task; hasCancel?: boolean }) {
+  const { session } = useBench();
+  const { isBusy, progress, problem } = task;
+  return (
+    <div class="task" role="status" aria-busy={isBusy}>
+      {isBusy && (
+        <p>
+          <progress
+            aria-label="Progress"
+            {...(typeof progress?.share === "number" ? { value: progress.share } : {})}
+          />{" "}
+          <span>{progress?.text ?? "Waiting…"}</span>{" "}
+          {hasCancel && (
+            <button
+              type="button"
+              class="plain quiet small"
+              onClick={() => void session.ask({ kind: "cancel" })}
+            >
+              Cancel
+            </button>
+          )}
+        </p>
+      )}
+      {problem && <p class="bad">{problem}</p>}
+    </div>
+  );
+}
+
+interface DialogProps {
+  title: string;
+  /** The name of the button that agrees. */
+  action: string;
+  onAgree: () => void;
+  onClose: () => void;
+  children: ComponentChildren;
+}
+
+/** Asks; Escape means no, after the page has stopped the camera. */
+export function Dialog({ title, action, onAgree, onClose, children }: DialogProps) {
+  const { stop } = useBench();
+  const dialog = useRef<HTMLDialogElement>(null);
+  useEffect(() => dialog.current?.showModal(), []);
+  const agree = (): void => {
+    onClose();
+    onAgree();
+  };
+  return (
+    <dialog ref={dialog} aria-labelledby="dialog-title" onClose={onClose}>
+      <h2 id="dialog-title">{title}</h2>
+      {children}
+      <div class="do">
+        <button type="button" class="plain" onClick={agree}>
+          {action}
+        </button>
+        <button type="button" class="plain quiet" autofocus onClick={onClose}>
+          Leave it
+        </button>
+        <StopButton onStop={stop} />
+      </div>
+    </dialog>
+  );
+}
+
+/** The time as a part of a name. */
+const nowInName = (): string => new Date().toISOString().slice(0, 19).replaceAll(":", "-");
+
+/** Saves to a file of the visitor, such as sbgc-2026-11-29T10-00-00.capture. */
+export function download(content: BlobPart, type: string): void {
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(new Blob([content]));
+  link.download = `sbgc-${nowInName()}.${type}`;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+}
