@@ -22,6 +22,7 @@
 #include "values/effect_text.hpp"
 #include "values/message_json.hpp"
 #include "values/message_names.hpp"
+#include "values/request_effects.hpp"
 
 namespace sbgc::tools {
 

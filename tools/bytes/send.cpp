@@ -33,6 +33,7 @@
 #include "values/firmware_text.hpp"
 #include "values/message_json.hpp"
 #include "values/message_names.hpp"
+#include "values/request_effects.hpp"
 #include "values/unnamed.hpp"
 
 namespace sbgc::tools {

@@ -21,14 +21,14 @@ namespace sbgc::tools {
 
 namespace {
 
-/// Returns the block as that of another profile.
-Parameters of_profile(const Parameters& block, std::uint8_t profile) {
+/// Puts the block into `set` as that of another profile.
+Result<void> put_for(ParameterSet& set, const Parameters& block, std::uint8_t profile) {
   AnyMessage message = message_in(block);
   for (const FieldType& field : message.type().fields()) {
     if (field.info == nullptr || field.info->role != FieldRole::copy) continue;
     static_cast<void>(message.assign(field.name, fmt::format("raw:{}", profile), false));
   }
-  return block_of({block.id.message, profile}, message);
+  return put_message(set, {block.id.message, profile}, message);
 }
 
 /// Returns the file for the defaults of a board; "" without a folder for it. Files of other names
@@ -98,7 +98,7 @@ ParameterSet read_defaults(Client& client, const Backup& before, std::uint8_t pr
   ParameterSet result;
   for (const Parameters& block : defaults->all()) {
     for (std::uint8_t copy = 0; copy < copy_count(block.id); ++copy) {
-      value_of(result.put(of_profile(block, copy)));
+      value_of(put_for(result, block, copy));
     }
   }
   return result;

@@ -26,11 +26,6 @@ std::vector<FieldSource> parameter_sources() {
   return sources;
 }
 
-bool is_settable(const FieldInfo& field) {
-  return field.role != FieldRole::copy && field.role != FieldRole::state && !field.reserved &&
-         &field != &tail_field;
-}
-
 [[noreturn]] void fail_lacking(const std::string& what, const Availability& since) {
   const std::string versions = versions_text(since);
   throw CommandError(fmt::format("this board does not have {}{}", what,
@@ -38,38 +33,6 @@ bool is_settable(const FieldInfo& field) {
 }
 
 }  // namespace
-
-const std::vector<ParameterMessage>& parameter_messages() {
-  static const std::vector<ParameterMessage> messages = [] {
-    std::vector<ParameterMessage> result;
-    ParameterMessages::for_each([&]<class M>(Type<M>) {
-      result.push_back({find_message(ParametersOf<M>::name), ParametersOf<M>::copies});
-    });
-    return result;
-  }();
-  return messages;
-}
-
-std::uint8_t copy_count(const ParametersId& id) {
-  const auto found = std::ranges::find_if(parameter_messages(), [&](const auto& message) {
-    return id.message == message.type->info->name;
-  });
-  return found != parameter_messages().end() ? found->copies : std::uint8_t{1};
-}
-
-AnyMessage message_in(const Parameters& block) {
-  AnyMessage message = find_message(block.id.message)->make();
-  static_cast<void>(message.decode(block.body));  // ParameterSet has checked this
-  return message;
-}
-
-Parameters block_of(const ParametersId& id, const AnyMessage& message) {
-  Parameters block{id, std::vector<std::uint8_t>(max_body_size)};
-  const WriteResult written = message.encode(block.body);
-  if (!written) throw ValueError(to_string(written.status));
-  block.body.resize(written.size);
-  return block;
-}
 
 FoundParameters find_parameters(std::string_view name) {
   const std::vector<FieldSource> sources = parameter_sources();
@@ -125,60 +88,6 @@ bool is_profile_index(const FieldInfo& field) {
     return std::string();
   }();
   return field.name == name;
-}
-
-std::string ShownParameter::text() const {
-  if (meaning.empty()) return raw;
-  return is_special ? fmt::format("{} ({})", raw, meaning) : meaning;
-}
-
-std::string ShownParameter::short_text() const {
-  constexpr std::size_t longest = 32;
-  constexpr std::size_t shown = 16;
-  if (bytes <= longest) return text();
-  return fmt::format("{}… ({} bytes)", raw.substr(0, 2 * shown), bytes);
-}
-
-std::vector<ShownParameter> shown_parameters(const Parameters& block,
-                                             const Availability& versions) {
-  std::vector<ShownParameter> result;
-  auto add = [&](const Leaf& leaf) {
-    if (!is_settable(leaf.field) || leaf.kind == LeafKind::counter) return;
-    ShownParameter shown{.message = block.id.message,
-                         .path = to_string(leaf.path),
-                         .spec_name = leaf.field.spec_name,
-                         .raw = raw_text(leaf),
-                         .meaning = meaning_text(leaf),
-                         .is_special = special_meaning(leaf) != nullptr,
-                         .is_general = leaf.field.role == FieldRole::general,
-                         .summary = leaf.field.summary,
-                         .topics = topics_of(leaf.field)};
-    const bool is_number = leaf.kind == LeafKind::integer || leaf.kind == LeafKind::real;
-    if (is_number && leaf.names == nullptr && leaf.packed == nullptr && !shown.is_special) {
-      const double raw =
-          leaf.kind == LeafKind::real ? leaf.real : static_cast<double>(leaf.integer);
-      shown.value = leaf.unit != nullptr ? leaf.unit->real(raw) : raw;
-    }
-    if (leaf.kind == LeafKind::bytes) shown.bytes = leaf.bytes.size();
-    if (leaf.unit != nullptr) shown.unit = leaf.unit->name;
-    result.push_back(std::move(shown));
-  };
-  message_in(block).for_each_leaf(add, versions);
-  return result;
-}
-
-Json to_json(const ShownParameter& parameter) {
-  Json result{{"message", parameter.message}, {"path", parameter.path}, {"raw", parameter.raw}};
-  result["value"] = parameter.value ? Json(*parameter.value) : Json();
-  result["unit"] = parameter.unit.empty() ? Json() : Json(parameter.unit);
-  result["meaning"] = parameter.meaning.empty() ? Json() : Json(parameter.meaning);
-  result["general"] = parameter.is_general;
-  result["topics"] = Json::array();
-  for (const TopicReference* const topic : parameter.topics) {
-    result["topics"].push_back(topic->name);
-  }
-  if (!parameter.other_default.empty()) result["default"] = parameter.other_default;
-  return result;
 }
 
 std::vector<std::string> parameter_names() {

@@ -1,38 +1,15 @@
 /// The parameters of a board by name and as values.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <string>
 #include <string_view>
 #include <vector>
 
-#include <sbgc/client/parameters.hpp>
-
+#include "parameters/parameter_blocks.hpp"
+#include "parameters/shown_parameters.hpp"
 #include "values/field_lookup.hpp"
-#include "values/message_json.hpp"
 #include "values/search_words.hpp"
 
 namespace sbgc::tools {
-
-/// A message that holds parameters.
-struct ParameterMessage {
-  const MessageType* type = nullptr;
-  std::uint8_t copies = 1;  ///< one for each profile, or only one
-};
-
-/// All of them, in the order of the specification's families.
-const std::vector<ParameterMessage>& parameter_messages();
-
-/// Returns how many copies the board has of such a block.
-std::uint8_t copy_count(const ParametersId& id);
-
-/// Returns the message with the values of a block of a ParameterSet.
-AnyMessage message_in(const Parameters& block);
-
-/// Returns the block with the values of the message. Throws ValueError.
-Parameters block_of(const ParametersId& id, const AnyMessage& message);
 
 /// The parameters that a name means: fields of one message.
 struct FoundParameters {
@@ -57,32 +34,5 @@ bool is_general(const FoundField& field);
 
 /// True if the value is the index of a profile. The specification gives such fields one name.
 bool is_profile_index(const FieldInfo& field);
-
-/// One value for the user.
-struct ShownParameter {
-  std::string message{};
-  std::string path{};
-  std::string spec_name{};
-  std::string raw{};
-  std::string meaning{};
-  std::optional<double> value{};  ///< of a number, in its unit
-  std::string unit{};
-  std::size_t bytes{};  ///< of bytes without a meaning as numbers; 0 for others
-  bool is_special{};    ///< the raw value has a meaning of its own
-  bool is_general{};
-  std::string summary{};
-  std::vector<const TopicReference*> topics{};  ///< its own first
-  std::string other_default{};  ///< the text of the factory default, if it is known and another
-
-  /// For example "-30 deg", "FOLLOW_MODE_FC" or "12".
-  std::string text() const;
-  /// The same, with the beginning of many bytes only: "00ff12… (128 bytes)".
-  std::string short_text() const;
-};
-
-/// Returns the parameters in a block, without reserved ones.
-std::vector<ShownParameter> shown_parameters(const Parameters& block, const Availability& versions);
-
-Json to_json(const ShownParameter& parameter);
 
 }  // namespace sbgc::tools

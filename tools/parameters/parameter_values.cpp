@@ -82,7 +82,7 @@ ParameterSet with_values(const ParameterSet& present, const std::vector<MessageV
           if (changes_present(value)) value = changed_value(message, value, versions);
         }
         set_values(message, here, versions);
-        if (Result<void> put = wanted.put(block_of(block.id, message)); !put) {
+        if (Result<void> put = put_message(wanted, block.id, message); !put) {
           throw CommandError(put.error().message);
         }
       } catch (const CommandError&) {

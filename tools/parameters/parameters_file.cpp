@@ -16,20 +16,18 @@ namespace sbgc::tools {
 
 VendorValues ParametersFile::values(const ParameterSet& present, std::uint8_t target) {
   if (!vendor) return {backup.parameters, {}, {}};
-  try {
-    VendorValues result = vendor_values(*vendor, present, target);
-    const std::string text = has_told ? "" : left_out_text(result);
-    has_told = true;
-    for (std::size_t at = 0; at < text.size();) {
-      const std::size_t end = text.find('\n', at);
-      remark("{}\n",
-             wrapped(fmt::format("note: {}", text.substr(at, end - at)), line_width(), 2, 2));
-      at = end + 1;
-    }
-    return result;
-  } catch (const CommandError& error) {
-    throw CommandError(fmt::format("{}: {}", printable(name), error.what()), error.status());
+  Result<VendorValues> result = vendor_values(*vendor, present, target);
+  if (!result) {
+    throw CommandError(fmt::format("{}: {}", printable(name), result.error().message));
   }
+  const std::string text = has_told ? "" : left_out_text(*result);
+  has_told = true;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = text.find('\n', at);
+    remark("{}\n", wrapped(fmt::format("note: {}", text.substr(at, end - at)), line_width(), 2, 2));
+    at = end + 1;
+  }
+  return *std::move(result);
 }
 
 bool is_parameters_file(const std::string& word) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <map>
@@ -13,10 +12,10 @@
 #include <fmt/format.h>
 
 #include <sbgc/client/profiles.hpp>
+#include <sbgc/internal/parse_number.hpp>
 
-#include "command/command_error.hpp"
 #include "command/wording.hpp"
-#include "parameters/parameter_messages.hpp"
+#include "parameters/parameter_blocks.hpp"
 
 namespace sbgc::tools {
 
@@ -101,35 +100,25 @@ SavedPlaces places_of(const Availability& versions) {
   return places;
 }
 
-/// Reads all of a text as a number.
-template <class Number>
-std::optional<Number> number_in(std::string_view text) {
-  Number number{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return number;
-}
-
 std::optional<std::int64_t> whole_number(std::string_view text) {
   if (text == "true" || text == "false") return text == "true" ? 1 : 0;
-  return number_in<std::int64_t>(text);
+  return detail::parse_number<std::int64_t>(text);
 }
 
-/// Puts the value into the message. Throws ValueError if it does not fit. Ranges are checked when
-/// all values are known, because they depend on each other.
-void put_value(AnyMessage& message, const SavedPlace& place, std::string_view text) {
+/// Puts the value into the message; returns why it does not fit. Ranges are checked when all values
+/// are known, because they depend on each other.
+std::string put_value(AnyMessage& message, const SavedPlace& place, std::string_view text) {
   std::int64_t present = 0;
   const bool is_there =
       message.with_leaf(place.path, [&](const Leaf& leaf) { present = leaf.integer; });
-  if (!is_there) throw ValueError("the board does not have it");
+  if (!is_there) return "the board does not have it";
   std::int64_t raw = 0;
   if (place.saved_in == SavedIn::unit) {
-    const double real = *number_in<double>(text);
+    const double real = *detail::parse_number<double>(text);
     const double counts = place.unit->raw(real);
     raw = std::abs(counts) < 1e9 ? std::llround(counts) : -1;
     if (place.unit->real(static_cast<double>(raw)) != real) {
-      throw ValueError(
-          fmt::format("the board has steps of {} {}", place.unit->real(1.0), place.unit->name));
+      return fmt::format("the board has steps of {} {}", place.unit->real(1.0), place.unit->name);
     }
   } else {
     raw = *whole_number(text);
@@ -137,14 +126,13 @@ void put_value(AnyMessage& message, const SavedPlace& place, std::string_view te
   if (place.mask != 0) {
     const int shift = std::countr_zero(place.mask);
     const auto most = static_cast<std::int64_t>(place.mask >> static_cast<unsigned>(shift));
-    if (raw < 0 || raw > most) throw ValueError(fmt::format("the board takes 0 to {}", most));
+    if (raw < 0 || raw > most) return fmt::format("the board takes 0 to {}", most);
     raw = static_cast<std::int64_t>(
         (static_cast<std::uint64_t>(present) & ~place.mask) |
         (static_cast<std::uint64_t>(raw) << static_cast<unsigned>(shift)));
   }
-  if (raw == present) return;
-  const std::string problem = message.assign(place.path, fmt::format("raw:{}", raw), false);
-  if (!problem.empty()) throw ValueError(problem);
+  if (raw == present) return "";
+  return message.assign(place.path, fmt::format("raw:{}", raw), false);
 }
 
 /// A value that is taken.
@@ -159,6 +147,7 @@ class Taking {
   Taking(const VendorFile& file, VendorValues& out)
       : file_(file), out_(out), places_(places_of(versions_of(file))) {}
 
+  /// Returns the values; problem() is empty then.
   std::vector<TakenValue> run() {
     for (const SavedValue& value : file_.common) {
       bool is_twice = false;
@@ -180,13 +169,16 @@ class Taking {
             const SavedValue* const same = find(other, value.name);
             return same == nullptr || same->values != value.values;
           };
-          if (std::ranges::any_of(file_.profiles, differs)) in_doubt_.insert(value.name);
+          if (std::any_of(file_.profiles.begin(), file_.profiles.end(), differs)) {
+            in_doubt_.insert(value.name);
+          }
           take(value, std::nullopt);
         }
       }
     }
     return std::move(taken_);
   }
+  const std::string& problem() const { return problem_; }
 
  private:
   static Availability versions_of(const VendorFile& file) {
@@ -195,13 +187,16 @@ class Taking {
   }
 
   static const SavedValue* find(const SavedSection& section, const std::string& name) {
-    const auto found = std::ranges::find(section, name, &SavedValue::name);
+    const auto found = std::find_if(section.begin(), section.end(),
+                                    [&](const SavedValue& one) { return one.name == name; });
     return found != section.end() ? &*found : nullptr;
   }
 
   bool is_general(const std::string& name) const {
     const auto found = places_.find(plain_name(name));
-    return found != places_.end() && std::ranges::any_of(found->second, &SavedPlace::is_general);
+    return found != places_.end() &&
+           std::any_of(found->second.begin(), found->second.end(),
+                       [](const SavedPlace& place) { return place.is_general; });
   }
 
   void take(const SavedValue& value, std::optional<std::size_t> profile) {
@@ -216,10 +211,10 @@ class Taking {
     if (places.size() != value.values.size()) return leave_out(value.name, other_count);
     if (in_doubt_.contains(value.name)) return leave_out(value.name, contradiction);
     for (const std::string& text : value.values) {
-      const bool is_number = number_in<double>(text).has_value();
+      const bool is_number = detail::parse_number<double>(text).has_value();
       if (!is_number && !whole_number(text)) {
-        throw CommandError(
-            fmt::format("{}: '{}' is not a number", printable(value.name), clipped(text)));
+        problem_ = fmt::format("{}: '{}' is not a number", printable(value.name), clipped(text));
+        return;
       }
       const bool is_whole = whole_number(text).has_value();
       if (places.front().saved_in == SavedIn::unit ? !is_number : !is_whole) {
@@ -230,9 +225,12 @@ class Taking {
   }
 
   void leave_out(const std::string& name, const char* reason) {
-    auto at = std::ranges::find(out_.left_out, reason, &LeftOut::reason);
-    if (at == out_.left_out.end()) at = out_.left_out.insert(at, {reason, {}});
-    if (std::ranges::find(at->names, name) == at->names.end()) at->names.push_back(name);
+    std::vector<LeftOut>& all = out_.left_out;
+    auto at = std::find_if(all.begin(), all.end(),
+                           [&](const LeftOut& one) { return one.reason == reason; });
+    if (at == all.end()) at = all.insert(at, {reason, {}});
+    const auto known = std::find(at->names.begin(), at->names.end(), name);
+    if (known == at->names.end()) at->names.push_back(name);
   }
 
   const VendorFile& file_;
@@ -240,26 +238,30 @@ class Taking {
   SavedPlaces places_;
   std::set<std::string> in_doubt_{};  ///< what is there more than once, with different values
   std::vector<TakenValue> taken_{};
+  std::string problem_{};
 };
+
+ClientError bad_file(std::string message) { return {ErrorCode::bad_file, std::move(message)}; }
 
 }  // namespace
 
-VendorValues vendor_values(const VendorFile& file, const ParameterSet& present,
-                           std::uint8_t target) {
+Result<VendorValues> vendor_values(const VendorFile& file, const ParameterSet& present,
+                                   std::uint8_t target) {
   const bool is_one = file.profiles.size() == 1;
   if (!is_one && file.profiles.size() != profile_count) {
-    throw CommandError(
+    return bad_file(
         fmt::format("the file holds {} profiles; it is not certain which of the board's they are",
                     file.profiles.size()));
   }
   VendorValues result;
   Taking taking(file, result);
   const std::vector<TakenValue> taken = taking.run();
+  if (!taking.problem().empty()) return bad_file(taking.problem());
   for (const TakenValue& one : taken) {
     const char* const message = one.places->front().message->type->info->name;
     for (const SavedPlace& place : *one.places) result.fields.emplace_back(message, place.path);
     if (present.find({message, 0}) == nullptr) {
-      throw CommandError(fmt::format("{}: the board does not have {}", one.saved->name, message));
+      return bad_file(fmt::format("{}: the board does not have {}", one.saved->name, message));
     }
   }
   for (const Parameters& block : present.all()) {
@@ -272,17 +274,13 @@ VendorValues vendor_values(const VendorFile& file, const ParameterSet& present,
       is_any = true;
       for (std::size_t i = 0; i < places.size(); ++i) {
         const std::string& text = one.saved->values[i];
-        try {
-          put_value(message, places[i], text);
-        } catch (const ValueError& error) {
-          throw CommandError(fmt::format("{}: {}: {}", one.saved->name, text, error.what()));
-        }
+        const std::string problem = put_value(message, places[i], text);
+        if (problem.empty()) continue;
+        return bad_file(fmt::format("{}: {}: {}", one.saved->name, text, problem));
       }
     }
     if (!is_any) continue;
-    if (auto put = result.parameters.put(block_of(block.id, message)); !put) {
-      throw CommandError(put.error().message);
-    }
+    if (auto put = put_message(result.parameters, block.id, message); !put) return put.error();
   }
   return result;
 }
@@ -298,7 +296,7 @@ ParameterSet empty_parameters(const Availability& versions) {
         if (field.info == nullptr || field.info->role != FieldRole::copy) continue;
         static_cast<void>(made.assign(field.name, fmt::format("raw:{}", copy), false));
       }
-      static_cast<void>(result.put(block_of({type.info->name, copy}, made)));
+      static_cast<void>(put_message(result, {type.info->name, copy}, made));
     }
   }
   return result;

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include <sbgc/client/backup.hpp>
+#include <sbgc/client/parameters.hpp>
 
 #include "parameters/vendor_file.hpp"
 
@@ -30,9 +30,9 @@ struct VendorValues {
 
 /// Puts the values of the file into `present`, the parameters of a board. The profile of a file
 /// that holds only one becomes the profile `target`, from 0; otherwise, all five do. What all
-/// profiles have in common goes to all. Throws CommandError if a board cannot hold a value.
-VendorValues vendor_values(const VendorFile& file, const ParameterSet& present,
-                           std::uint8_t target);
+/// profiles have in common goes to all. Errors: `bad_file` if a board cannot hold a value.
+Result<VendorValues> vendor_values(const VendorFile& file, const ParameterSet& present,
+                                   std::uint8_t target);
 
 /// Returns parameters of which all are 0, as a board with these versions has them.
 ParameterSet empty_parameters(const Availability& versions);

@@ -1,6 +1,7 @@
 #include "values/search_words.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <span>
 #include <utility>
 
@@ -11,8 +12,8 @@ namespace sbgc::tools {
 namespace {
 
 bool has_word(std::span<const char* const> words, std::string_view word) {
-  return std::ranges::any_of(words,
-                             [&](const char* one) { return detail::is_same_word(one, word); });
+  return std::any_of(words.begin(), words.end(),
+                     [&](const char* one) { return detail::is_same_word(one, word); });
 }
 
 constexpr bool is_in_word(char c) {
@@ -36,9 +37,9 @@ bool occurs(std::string_view text, std::string_view word) {
 }  // namespace
 
 bool means_same(std::string_view a, std::string_view b) {
-  return detail::is_same_word(a, b) || std::ranges::any_of(synonyms, [&](const auto& group) {
-           return has_word(group, a) && has_word(group, b);
-         });
+  return detail::is_same_word(a, b) ||
+         std::any_of(std::begin(synonyms), std::end(synonyms),
+                     [&](const auto& group) { return has_word(group, a) && has_word(group, b); });
 }
 
 bool is_named(const TopicReference& topic, std::string_view word) {
@@ -57,16 +58,18 @@ Query::Query(std::string_view text) {
   while (!(text = detail::trimmed(text)).empty()) {
     const std::size_t size = std::min(text.find(' '), text.size());
     std::string word = detail::lower_case(text.substr(0, size));
-    if (std::ranges::find(words_, word) == words_.end()) words_.push_back(std::move(word));
+    if (std::find(words_.begin(), words_.end(), word) == words_.end())
+      words_.push_back(std::move(word));
     text.remove_prefix(size);
   }
 }
 
 bool Query::fits(std::string_view name, std::string_view text,
                  const std::vector<const TopicReference*>& topics, bool any_part) const {
-  return std::ranges::all_of(words_, [&](const std::string& word) {
+  return std::all_of(words_.begin(), words_.end(), [&](const std::string& word) {
+    const auto is_topic = [&](const auto* topic) { return is_named(*topic, word); };
     return occurs(name, word) || occurs(text, word) ||
-           std::ranges::any_of(topics, [&](const auto* topic) { return is_named(*topic, word); }) ||
+           std::any_of(topics.begin(), topics.end(), is_topic) ||
            (any_part && detail::lower_case(name).find(word) != std::string::npos);
   });
 }

@@ -9,6 +9,7 @@
 #include <sbgc/internal/words.hpp>
 #include <sbgc/messages/control.hpp>
 
+#include "modules/bounded_move.hpp"
 #include "modules/client.hpp"
 #include "modules/lines.hpp"
 #include "move/menu_action.hpp"
@@ -69,7 +70,11 @@ std::string move(Client& client, double id, std::string_view text) {
     if (!speed || *motion.other < 0) return out_of_range;
     options.speed = *speed;
   }
-  client.start(id, tasks::move_to(target, options));
+  if (client.bounds_moves()) {
+    client.start(id, bounded_move(target, options));
+  } else {
+    client.start(id, tasks::move_to(target, options));
+  }
   return "";
 }
 

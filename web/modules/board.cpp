@@ -1,8 +1,8 @@
 // The emulated board of the module `gimbal`: what `sbgc emulate` does, in the time of the page.
 //
-// board_start() and board_change() read lines NAME=VALUE: seed, motion, strength, faults (as
-// `sbgc emulate --fault` takes them), bit_errors, lost, duplicated and delayed. Their output is a
-// sentence that says what is wrong, or nothing. Times are microseconds.
+// board_start() and board_change() read lines NAME=VALUE: seed, board, firmware, motion, strength,
+// faults (as `sbgc emulate --fault` takes them), bit_errors, lost, duplicated and delayed. Their
+// output is a sentence that says what is wrong, or nothing. Times are microseconds.
 
 #include <cstdint>
 #include <limits>
@@ -54,6 +54,16 @@ std::string read_option(std::string_view name, std::string_view value, EmulatorO
     std::string problem = read_number(name, value, std::numeric_limits<std::uint32_t>::max(),
                                       options.board.gimbal.seed);
     options.line.seed = options.board.gimbal.seed;
+    return problem;
+  }
+  if (name == "board" || name == "firmware") {
+    std::uint16_t version = 0;
+    std::string problem =
+        read_number(name, value, std::numeric_limits<std::uint16_t>::max(), version);
+    if (version > 255 && name == "board") return "there is no such board";
+    if (name == "board")
+      options.board.board = msg::BoardVersion(static_cast<std::uint8_t>(version));
+    if (name == "firmware") options.board.firmware = msg::FirmwareVersion(version);
     return problem;
   }
   if (name == "motion") {

@@ -76,7 +76,23 @@ Client::Client() {
   });
 }
 
-void Client::connect() {
+void Client::connect(bool searches) {
+  if (!searches) return identify();
+  const auto set_line = [this](const LineSettings& line) {
+    report([&](TextOutput& out) {
+      out.put("\"baud\":");
+      out.put(static_cast<std::uint64_t>(line.baud_rate));
+      out.put(line.parity == Parity::even ? ",\"even\":true" : ",\"even\":false");
+    });
+    return true;
+  };
+  client_.detect_line(set_line, [this](const Result<void>& found) {
+    if (found) return identify();
+    report([&](TextOutput& out) { put_member(out, "\"failed\":", found.error().message); });
+  });
+}
+
+void Client::identify() {
   client_.connect([this](const Result<void>& connected) {
     if (!connected) {
       return report(

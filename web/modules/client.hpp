@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -32,8 +33,12 @@ class Client {
   PassiveClient& passive() { return client_; }
   const View& view() const { return view_; }
 
-  /// Identifies the board, and then watches it.
-  void connect();
+  /// Identifies the board, and then watches it. With `searches`, finds the settings of the line
+  /// first, and reports each that it tries.
+  void connect(bool searches = false);
+  /// Moves in a way that ends by itself when no more commands reach the board.
+  void bound_moves() { bounds_moves_ = true; }
+  bool bounds_moves() const { return bounds_moves_; }
   /// Begins an action, which is described in actions.hpp. Returns what is wrong with its text.
   std::string act(double id, std::string_view action, Instant now);
   /// Sends the request in a frame. Returns what is wrong with it.
@@ -55,12 +60,14 @@ class Client {
   /// Turns with these speeds for some time, unless another motion begins. If no more commands reach
   /// the board, it brakes within half a second.
   void turn(double id, const Axes<msg::ControlSpeed>& speed, Instant now, Duration time);
-
- private:
-  void report_end(double id, std::string_view error, std::string_view more = {});
   /// Writes a report; `content` writes the members of its object.
   void report(const std::function<void(TextOutput&)>& content);
+  /// Reports the end of a task; `more` has further members.
+  void report_end(double id, std::string_view error, std::string_view more = {});
+
+ private:
   void take(const tools::LiveValues& values);
+  void identify();
   Task<Result<void>> watch();
 
   struct Held;
@@ -71,6 +78,10 @@ class Client {
   View view_{};
   std::string errors_{"\n"};  // that were reported last; at first something else
   std::string reports_{};
+  bool bounds_moves_ = false;
 };
+
+/// The client of the module, once there is one.
+std::optional<Client>& client();
 
 }  // namespace sbgc::web

@@ -11,17 +11,16 @@
 
 namespace sbgc::web {
 
-namespace {
-
 std::optional<Client>& client() {
   static std::optional<Client> made;
   return made;
 }
 
-}  // namespace
-
-/// Makes a client, which asks the board for its identity and then watches it.
-SBGC_EXPORT(client_start) void client_start() { client().emplace().connect(); }
+/// Makes a client, which asks the board for its identity and then watches it. With `searches`, it
+/// finds the settings of the line first.
+SBGC_EXPORT(client_start) void client_start(double searches) {
+  client().emplace().connect(searches != 0);
+}
 
 /// Takes the input from the line.
 SBGC_EXPORT(client_receive) void client_receive(double now) {
@@ -63,8 +62,9 @@ SBGC_EXPORT(client_diagnose) void client_diagnose(double id) {
 }
 
 /// The output is a line of JSON for each report since the last time: {"identity": "…"},
-/// {"failed": "…"}, {"notice": "…"}, {"errors": "names, one a line"}, or {"done": ID, "error": "…"}
-/// with what the client was asked for.
+/// {"failed": "…"}, {"notice": "…"}, {"baud": 115200, "even": false} before the next bytes,
+/// {"errors": "names, one a line"}, or {"done": ID, "error": "…"} with what the client was asked
+/// for.
 SBGC_EXPORT(client_reports) void client_reports() {
   tools::exchange().output = client() ? client()->take_reports() : "";
 }

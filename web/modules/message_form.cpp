@@ -32,20 +32,7 @@ std::string element_path(const std::string& path, std::size_t index) {
   return path + '[' + std::to_string(index) + ']';
 }
 
-/// Returns a path with [] for each index.
-std::string without_indices(std::string_view path) {
-  std::string result;
-  bool is_index = false;
-  for (const char c : path) {
-    is_index = is_index && c != ']';
-    if (!is_index) result += c;
-    is_index = is_index || c == '[';
-  }
-  return result;
-}
-
-template <class Types>
-void add_types(const FieldType& type, const std::string& path, Types& types) {
+void add_types(const FieldType& type, const std::string& path, FieldTypes& types) {
   types.emplace(path, &type);
   if (type.shape == FieldShape::list) {
     add_types(type.members.front(), path + "[]", types);
@@ -108,8 +95,25 @@ std::string hint_of(const FieldType& field) {
 
 }  // namespace
 
-MessageForm::MessageForm(const AnyMessage& message) : message_(message) {
-  for (const FieldType& field : message.type().fields()) add_types(field, field.name, types_);
+std::string without_indices(std::string_view path) {
+  std::string result;
+  bool is_index = false;
+  for (const char c : path) {
+    is_index = is_index && c != ']';
+    if (!is_index) result += c;
+    is_index = is_index || c == '[';
+  }
+  return result;
+}
+
+FieldTypes types_of(const MessageType& type) {
+  FieldTypes types;
+  for (const FieldType& field : type.fields()) add_types(field, field.name, types);
+  return types;
+}
+
+MessageForm::MessageForm(const AnyMessage& message)
+    : message_(message), types_(types_of(message.type())) {
   read(message.type().make());
   std::map<std::string, Value, std::less<>> initial;
   initial.swap(values_);

@@ -3,8 +3,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <sbgc/any.hpp>
@@ -19,6 +21,12 @@ struct FormLine {
   bool is_secret{};
   bool is_in_unit{};  ///< other values may select its unit, and are assigned before it
 };
+
+/// The types of the fields by path, in which [] stands for each index.
+using FieldTypes = std::map<std::string, const FieldType*, std::less<>>;
+FieldTypes types_of(const MessageType& type);
+/// Returns a path with [] for each index.
+std::string without_indices(std::string_view path);
 
 class MessageForm {
  public:
@@ -47,8 +55,6 @@ class MessageForm {
     std::int64_t raw{};
     const UnitInfo* unit{};
   };
-  using Types = std::map<std::string, const FieldType*, std::less<>>;
-
   void read(const AnyMessage& message);
   const Value* value_at(const std::string& path) const;
   std::size_t size_at(const std::string& path) const;
@@ -66,7 +72,7 @@ class MessageForm {
                  bool is_always) const;
 
   const AnyMessage& message_;
-  Types types_{};  // by path, in which [] stands for each index
+  FieldTypes types_{};
   std::map<std::string, Value, std::less<>> values_{};
   std::map<std::string, std::size_t, std::less<>> sizes_{};  // of lists
 };

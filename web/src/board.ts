@@ -5,6 +5,8 @@ import type { Wasm } from "./wasm.js";
 
 const settingNames: [keyof EmulatorOptions, string][] = [
   ["seed", "seed"],
+  ["board", "board"],
+  ["firmware", "firmware"],
   ["motion", "motion"],
   ["strength", "strength"],
   ["faults", "faults"],

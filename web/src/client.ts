@@ -18,10 +18,23 @@ export interface Handlers {
   identified?(text: string): void;
   failed?(message: string): void;
   noticed?(text: string): void;
+  /** A search tries these settings; the bytes that advance() returns are for a line that has them. */
+  lineSet?(settings: LineSettings): void;
+}
+
+export interface LineSettings {
+  baudRate: number;
+  parity: "none" | "even";
+}
+
+/** How far a task is. `share` is 0 to 1, null if it is not known. */
+export interface Progress {
+  share: number | null;
+  text: string;
 }
 
 /** One line of client_reports(). */
-interface ReportLine {
+export interface ReportLine {
   identity?: string;
   failed?: string;
   notice?: string;
@@ -31,11 +44,17 @@ interface ReportLine {
   kind?: Reply["kind"];
   frame?: string;
   findings?: Finding[];
+  result?: unknown;
+  baud?: number;
+  even?: boolean;
+  progress?: number;
+  of?: Progress;
 }
 
 interface Waiting {
   resolve(line: ReportLine): void;
   reject(error: Error): void;
+  progressed: ((progress: Progress) => void) | undefined;
 }
 
 /** Numbers of the view in web/modules/client.hpp: a time, six axes, and five. */
@@ -43,57 +62,57 @@ const viewNumbers = 1 + 6 * 3 + 5;
 
 /** Times are microseconds, and do not decrease. */
 export class Client {
-  readonly #wasm: Wasm;
+  protected readonly wasm: Wasm;
   readonly #handlers: Handlers;
   readonly #waiting = new Map<number, Waiting>();
   #lastId = 0;
   #errors: string[] = [];
 
-  /** Asks the board for its identity, and then watches it. */
-  constructor(gimbal: Wasm, handlers: Handlers = {}) {
-    this.#wasm = gimbal;
+  /** Asks the board for its identity, and then watches it. `searches`: for the settings of the line first. */
+  constructor(gimbal: Wasm, handlers: Handlers = {}, searches = false) {
+    this.wasm = gimbal;
     this.#handlers = handlers;
-    this.#wasm.call("client_start");
+    this.wasm.call("client_start", Number(searches));
   }
 
   /** Takes bytes of the line. */
   receive(bytes: Uint8Array, now: number): void {
-    this.#wasm.bytes("client_receive", bytes, now);
+    this.wasm.bytes("client_receive", bytes, now);
   }
 
   /** Returns bytes to send; there are no others until written(). */
   advance(now: number): Uint8Array {
-    const bytes = this.#wasm.bytes("client_advance", null, now).slice();
+    const bytes = this.wasm.bytes("client_advance", null, now).slice();
     this.#report();
     return bytes;
   }
 
   written(now: number): void {
-    this.#wasm.call("client_written", now);
+    this.wasm.call("client_written", now);
   }
 
   /** When to call advance() at the latest. */
   get deadline(): number {
-    return this.#wasm.call("client_deadline");
+    return this.wasm.call("client_deadline");
   }
 
   /** Carries out an action of web/modules/actions.hpp, such as "move pitch=-30". */
   async act(action: string, now: number): Promise<void> {
-    await this.#begin((id) => this.#wasm.text("client_act", action, id, now));
+    await this.begin((id) => this.wasm.text("client_act", action, id, now));
   }
 
   /** Sends the request in a frame. */
   async send(frame: Uint8Array): Promise<Reply> {
-    const line = await this.#begin((id) =>
-      new TextDecoder().decode(this.#wasm.bytes("client_send", frame, id)),
+    const line = await this.begin((id) =>
+      new TextDecoder().decode(this.wasm.bytes("client_send", frame, id)),
     );
     return { kind: line.kind ?? "sent", frame: bytesOf(line.frame ?? "") };
   }
 
   /** Measures the gimbal for five seconds, and judges it. */
   async diagnose(): Promise<Finding[]> {
-    const line = await this.#begin((id) => {
-      this.#wasm.call("client_diagnose", id);
+    const line = await this.begin((id) => {
+      this.wasm.call("client_diagnose", id);
       return "";
     });
     return line.findings ?? [];
@@ -101,7 +120,7 @@ export class Client {
 
   /** The last state that the board has reported; null before. */
   get view(): View | null {
-    const numbers = this.#wasm.numbers(this.#wasm.call("client_view"), viewNumbers);
+    const numbers = this.wasm.numbers(this.wasm.call("client_view"), viewNumbers);
     const at = (index: number) => numbers[index] ?? NaN;
     const axes = (index: number): Axes => [at(index), at(index + 1), at(index + 2)];
     if (at(viewNumbers - 1) === 0) return null;
@@ -121,11 +140,15 @@ export class Client {
     };
   }
 
-  #begin(start: (id: number) => string): Promise<ReportLine> {
+  /** Begins what reports its end under a number; `start` returns what is wrong. */
+  protected begin(
+    start: (id: number) => string,
+    progressed?: (progress: Progress) => void,
+  ): Promise<ReportLine> {
     const id = ++this.#lastId;
     const problem = start(id);
     if (problem !== "") return Promise.reject(new Error(problem));
-    return new Promise((resolve, reject) => this.#waiting.set(id, { resolve, reject }));
+    return new Promise((resolve, reject) => this.#waiting.set(id, { resolve, reject, progressed }));
   }
 
   /** Ends everything that waits. */
@@ -135,7 +158,7 @@ export class Client {
   }
 
   #report(): void {
-    const lines = this.#wasm.text("client_reports", null);
+    const lines = this.wasm.text("client_reports", null);
     if (lines === "") return;
     for (const text of lines.trimEnd().split("\n")) this.#take(JSON.parse(text) as ReportLine);
   }
@@ -145,6 +168,10 @@ export class Client {
     if (line.failed !== undefined) this.#handlers.failed?.(line.failed);
     if (line.notice !== undefined) this.#handlers.noticed?.(line.notice);
     if (line.errors !== undefined) this.#errors = line.errors.split("\n").filter((name) => name);
+    if (line.baud !== undefined) {
+      this.#handlers.lineSet?.({ baudRate: line.baud, parity: line.even ? "even" : "none" });
+    }
+    if (line.progress !== undefined && line.of) this.#waiting.get(line.progress)?.progressed?.(line.of);
     if (line.done === undefined) return;
     const waiting = this.#waiting.get(line.done);
     this.#waiting.delete(line.done);

@@ -15,9 +15,16 @@ export class EmulatedGimbal {
   readonly #observe: Observer | undefined;
   #now = 0;
 
-  constructor(gimbal: Wasm, options: EmulatorOptions, handlers: Handlers = {}, observe?: Observer) {
+  /** `connect` makes another client than that of the module. */
+  constructor(
+    gimbal: Wasm,
+    options: EmulatorOptions,
+    handlers: Handlers = {},
+    observe?: Observer,
+    connect = (all: Handlers): Client => new Client(gimbal, all),
+  ) {
     this.board = new Board(gimbal, options, 0);
-    this.client = new Client(gimbal, handlers);
+    this.client = connect(handlers);
     this.#observe = observe;
   }
 

@@ -3,6 +3,9 @@
 /** A board as `sbgc emulate` makes it; what is missing has its usual value. */
 export interface EmulatorOptions {
   seed?: number;
+  /** Versions as on the wire: 30 is 3.0, 2590 is 2.59b0. */
+  board?: number;
+  firmware?: number;
   /** The motion of the frame that carries the gimbal. */
   motion?: "rest" | "handheld" | "drone" | "vehicle";
   /** A factor of the motion, 0 to 100. */

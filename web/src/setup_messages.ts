@@ -1,19 +1,17 @@
 // What the page that sets up a real gimbal and its worker tell each other, besides worker_messages.ts.
 // The worker owns the line, the client, the clock, and an emulated board for trials.
 
+import type { LineSettings } from "./client.js";
 import type * as playground from "./worker_messages.js";
 import type { Axes } from "./worker_messages.js";
+
+export type { LineSettings };
 
 /** The end of a line: a port of Web Serial, or the WebSocket of `sbgc bridge`. */
 export type Place =
   /** One of navigator.serial.getPorts(); adapters of one kind differ only by their place in it. */
   | { kind: "serial"; index: number; vendor: number | null; product: number | null }
   | { kind: "bridge"; url: string; token: string };
-
-export interface LineSettings {
-  baudRate: number;
-  parity: "none" | "even";
-}
 
 /** From the page. The worker answers everything that has an `id` with `done` of the same one. */
 export type Request =
@@ -39,8 +37,8 @@ export type Request =
   | { kind: "profile"; id: number; profile: number }
   /** What these values would change: by `message.path`, as people write them, in one profile. */
   | { kind: "plan"; id: number; profile: number; values: Record<string, string> }
-  /** What a file would change: a backup, or one of the vendor's program. */
-  | { kind: "plan-file"; id: number; name: string; text: string; profile: number }
+  /** What a file would change: a backup, or the elementsOf() one of the vendor's program. */
+  | { kind: "plan-file"; id: number; text: string; profile: number }
   /** What would undo the last writing. */
   | { kind: "plan-undo"; id: number }
   /** Writes the last plan to an emulated board that has the parameters of the real one. */
@@ -55,8 +53,8 @@ export type Request =
   | { kind: "calibrate"; id: number; calibration: string; values: Record<string, string> }
   /** Tunes the controllers; the parameters are read before, for `plan-undo`. */
   | { kind: "tune"; id: number; axes: [boolean, boolean, boolean]; gain: number; profile: number }
-  /** Records the frequency response of an axis, 0 roll, 1 pitch, 2 yaw, with the usual stimulus. */
-  | { kind: "bode"; id: number; axis: number }
+  /** Records the response of an axis, 0 roll, 1 pitch, 2 yaw, to noise of these frequencies in hertz. */
+  | { kind: "bode"; id: number; axis: number; gain: number; from: number; to: number }
   /** Ends a calibration's wait, a tuning or a recording as far as the board allows. */
   | { kind: "cancel"; id: number };
 
@@ -113,7 +111,7 @@ export interface Parameter {
   kind: "number" | "enum" | "flags" | "text" | "bytes";
   /** The same in all profiles. */
   general: boolean;
-  /** The default of the firmware, as an emulated board has it; "" if it is not known. */
+  /** The default that the specification states; "" if it states none. */
   default: string;
 }
 
@@ -136,7 +134,7 @@ export interface Change {
   line: boolean;
 }
 
-/** The result of `try`: what the emulated board says, in the units of the view. */
+/** The result of `try`: what the emulated board says. */
 export interface Trial {
   /** Sentences of the doctor before and with the plan. */
   before: string[];
@@ -157,8 +155,8 @@ export interface Calibration {
   /** What to do before: how to hold the camera. */
   preparation: string;
   effects: string;
-  /** Fields that need a value. */
-  values: { path: string; unit: string; summary: string }[];
+  /** Fields that need a value; with names, one of them. */
+  values: { path: string; unit: string; summary: string; names: string[] }[];
 }
 
 /** The result of `check`: "" if the gimbal is ready. */

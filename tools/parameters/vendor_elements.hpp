@@ -1,0 +1,52 @@
+/// The elements of a file of the vendor's program, without the parser that reads XML.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <sbgc/result.hpp>
+
+#include "parameters/vendor_file.hpp"
+
+namespace sbgc::tools {
+
+/// Takes the elements and texts in the order of the file. After the first problem, it takes
+/// nothing.
+class VendorElements {
+ public:
+  void open(std::string_view name);
+  void text(std::string_view characters) { text_ += characters; }
+  void close();
+  /// Notes a problem, unless there is one.
+  void fail(std::string_view reason);
+  bool has_failed() const { return !problem_.empty(); }
+  /// Returns the contents. Errors: `bad_file`.
+  Result<VendorFile> finish();
+
+ private:
+  struct Level {
+    std::string name;
+    bool has_children = false;
+  };
+
+  void open_section(std::string_view name);
+  void add(const std::string& text);
+  void check();
+  template <class Version>
+  bool read_fact(const char* name, Version& out);
+
+  std::vector<Level> levels_{};
+  std::string text_{};
+  SavedSection* section_{};
+  std::map<std::string, std::size_t> places_{};  // of the names in the section
+  std::map<std::string, std::string> facts_{};
+  bool has_common_ = false;
+  std::size_t values_ = 0;
+  VendorFile file_{};
+  std::string problem_{};
+};
+
+}  // namespace sbgc::tools

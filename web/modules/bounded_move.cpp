@@ -1,0 +1,95 @@
+#include "modules/bounded_move.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include <sbgc/messages/realtime.hpp>
+
+#include "tasks/bounded_turn.hpp"
+#include "tasks/tools.hpp"
+
+namespace sbgc::web {
+
+namespace {
+
+/// How long the camera turns after the last command.
+constexpr std::chrono::milliseconds bound{500};
+constexpr Duration interval = milliseconds(50);
+/// The rest of the way, in degrees, which a single command moves.
+constexpr double short_way = 1;
+/// Speed for each degree that is left, so that the camera slows down before its target.
+constexpr double speed_per_degree = 2;
+constexpr double least_speed = 1;  // deg/s
+/// A camera that has not moved by more than this, in degrees, does not turn.
+constexpr double noise = 0.2;
+constexpr Duration patience = seconds(1);
+
+/// Angles wrap around after two turns in each direction.
+double degrees_between(msg::Angle14 from, msg::Angle14 to) {
+  const auto raw = static_cast<std::uint16_t>(to.raw() - from.raw());
+  return msg::Angle14(static_cast<std::int16_t>(raw)).degrees();
+}
+
+/// Turns until each axis is near its target.
+Task<Result<void>> approach(MoveTarget target, MoveOptions options, detail::BoundedTurn& motion) {
+  TaskMachine& task = co_await tasks::this_task();
+  const Instant start = task.now();
+  const Instant end = start + detail::duration_of(options.timeout);
+  std::optional<msg::GetAngles> before;
+  const double fastest = options.speed.degrees_per_second();
+  while (true) {
+    const Result<msg::GetAngles> state = co_await tasks::call(msg::GetAnglesRequest{});
+    if (!state) co_return state.error();
+    Axes<msg::ControlSpeed> speeds{};
+    bool is_near = true;
+    bool has_turned = false;
+    if (!before) before = *state;
+    for (std::size_t i = 0; i < target.size(); ++i) {
+      if (!target[i]) continue;
+      const msg::Angle14 angle = state->axes[i].imu_angle;
+      has_turned =
+          has_turned || std::abs(degrees_between(before->axes[i].imu_angle, angle)) > noise;
+      const double way = degrees_between(angle, *target[i]);
+      if (std::abs(way) <= short_way) continue;
+      is_near = false;
+      const double speed = std::clamp(std::abs(way) * speed_per_degree, least_speed, fastest);
+      speeds[i] =
+          msg::ControlSpeed::from_degrees_per_second(std::copysign(speed, way)).value_or({});
+    }
+    if (is_near) co_return Result<void>();
+    if (!has_turned && task.now() - start >= patience) {
+      co_return ClientError{ErrorCode::timeout,
+                            "the camera did not begin to turn; are the motors on?"};
+    }
+    if (task.now() >= end) {
+      co_return ClientError{ErrorCode::timeout, "the camera has not arrived in time"};
+    }
+    if (Result<void> turned = co_await motion.turn(speeds); !turned) co_return turned;
+    const Result<void> waited = co_await tasks::wait_until(task.now() + interval);
+    if (!waited) co_return waited;
+  }
+}
+
+}  // namespace
+
+Task<Result<MoveProgress>> bounded_move(MoveTarget target, MoveOptions options) {
+  if (options.speed.raw() <= 0) {
+    co_return ClientError{ErrorCode::invalid, "a move needs a speed"};
+  }
+  detail::BoundedTurn motion(MotionBound::automatic, bound);
+  const Result<void> arrived = co_await approach(target, options, motion);
+  if (!arrived && is_in_other_hands(arrived.error().code)) {
+    static_cast<void>(co_await motion.let_go());
+    co_return arrived.error();
+  }
+  const Result<void> stopped = co_await motion.stop([] { return false; });
+  if (!arrived) co_return arrived.error();
+  if (!stopped) co_return stopped.error();
+  co_return co_await tasks::move_to(target, options);
+}
+
+}  // namespace sbgc::web

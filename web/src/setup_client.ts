@@ -1,0 +1,113 @@
+// The client of the module `setup`: parameters, calibrations and tuning beside motion.
+
+import { Client, type Handlers, type Progress } from "./client.js";
+import type { Calibration, Plan, Topic } from "./setup_messages.js";
+import type { Wasm } from "./wasm.js";
+
+type OnProgress = (progress: Progress) => void;
+
+/** What the module knows of the board. */
+export interface BoardFacts {
+  /** As on the wire. */
+  board: number;
+  firmware: number;
+  serialNumber: string;
+  lacks: string[];
+}
+
+const settings = (values: Record<string, string>): string =>
+  Object.entries(values)
+    .map(([name, value]) => `${name}=${value.replaceAll("\n", " ")}\n`)
+    .join("");
+
+const now = (): string => `${new Date().toISOString().slice(0, 19)}Z`;
+
+/** One for each instance of the module. Moves end when the page no longer sends commands. */
+export class SetupClient extends Client {
+  constructor(setup: Wasm, handlers: Handlers = {}, searches = false) {
+    super(setup, handlers, searches);
+    this.wasm.call("setup_begin");
+  }
+
+  get board(): BoardFacts {
+    return this.#json("setup_board", null) as BoardFacts;
+  }
+
+  /** Reads all parameters. */
+  read(progressed?: OnProgress): Promise<unknown> {
+    return this.#task("setup_read", now(), progressed);
+  }
+
+  profile(profile: number): Topic[] {
+    return this.#json("setup_profile", null, profile) as Topic[];
+  }
+
+  plan(values: Record<string, string>, profile: number): Plan {
+    return this.#json("setup_plan", settings(values), profile) as Plan;
+  }
+
+  planFile(text: string, profile: number): Plan {
+    return this.#json("setup_plan_file", text, profile) as Plan;
+  }
+
+  planUndo(): Plan {
+    return this.#json("setup_plan_undo", null) as Plan;
+  }
+
+  /** Writes the last plan, reads back and compares. */
+  write(): Promise<unknown> {
+    return this.#task("setup_write", now());
+  }
+
+  /** The text of a backup: of the board, or of the board with the last plan. */
+  backup(ofPlan: boolean): string {
+    return this.wasm.text("setup_backup", null, Number(ofPlan));
+  }
+
+  /** Makes the next undo go back to the parameters that were read last. */
+  remember(): void {
+    this.wasm.call("setup_remember");
+  }
+
+  calibrations(): Calibration[] {
+    return this.#json("setup_calibrations", null) as Calibration[];
+  }
+
+  check(calibration: string): Promise<unknown> {
+    return this.#task("setup_check", calibration);
+  }
+
+  calibrate(name: string, values: Record<string, string>, progressed: OnProgress): Promise<unknown> {
+    return this.#task("setup_calibrate", `${name}\n${settings(values)}`, progressed);
+  }
+
+  tune(axes: boolean[], gain: number, profile: number, progressed: OnProgress): Promise<unknown> {
+    const bits = axes.reduce((all, isOn, axis) => all + (isOn ? 2 ** axis : 0), 0);
+    return this.#task("setup_tune", null, progressed, bits, gain, profile);
+  }
+
+  bode(axis: number, gain: number, from: number, to: number, progressed: OnProgress): Promise<unknown> {
+    return this.#task("setup_bode", null, progressed, axis, gain, from, to);
+  }
+
+  cancel(): void {
+    this.wasm.call("setup_cancel");
+  }
+
+  #json(name: string, input: string | null, ...numbers: number[]): unknown {
+    return JSON.parse(this.wasm.text(name, input, ...numbers));
+  }
+
+  async #task(
+    name: string,
+    input: string | null,
+    progressed?: OnProgress,
+    ...numbers: number[]
+  ): Promise<unknown> {
+    const line = await this.begin((id) => {
+      this.wasm.text(name, input, id, ...numbers);
+      return "";
+    }, progressed);
+    return line.result;
+  }
+}

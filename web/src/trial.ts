@@ -1,0 +1,62 @@
+// A trial of parameters on an emulated board that has those of the real one.
+
+import { EmulatedGimbal } from "./line.js";
+import type { BoardFacts } from "./setup_client.js";
+import { SetupClient } from "./setup_client.js";
+import type { Plan, Trial, Written } from "./setup_messages.js";
+import type { Wasm } from "./wasm.js";
+
+/** The motion that shows how the controllers behave. */
+const motion = "handheld";
+/** Virtual time of one step; the worker does other work between two. */
+const stepUs = 50_000;
+
+/** Waits for a task while virtual time passes. */
+async function during<Result>(gimbal: EmulatedGimbal, work: Promise<Result>): Promise<Result> {
+  let isOver = false;
+  const end = (): void => void (isOver = true);
+  work.then(end, end);
+  while (!isOver) {
+    gimbal.run(gimbal.now + stepUs);
+    await new Promise((resolve) => setTimeout(resolve));
+  }
+  return work;
+}
+
+/** Measures the emulated board with the parameters of one backup, and then with those of another. */
+export async function tryOut(
+  modules: { gimbal: Wasm; setup: Wasm },
+  facts: BoardFacts,
+  present: string,
+  wanted: string,
+): Promise<Trial> {
+  let identified = (): void => {};
+  let failed = (_: string): void => {};
+  const ready = new Promise<void>((resolve, reject) => {
+    identified = resolve;
+    failed = (text) => reject(new Error(text));
+  });
+  const { board, firmware } = facts;
+  const gimbal = new EmulatedGimbal(
+    modules.gimbal,
+    { motion, board, firmware },
+    { identified, failed },
+    undefined,
+    (handlers) => new SetupClient(modules.setup, handlers),
+  );
+  const client = gimbal.client as SetupClient;
+  await during(gimbal, ready);
+  await during(gimbal, client.act("motors on", gimbal.now));
+  await during(gimbal, client.read());
+  const findings = async (backup: string): Promise<string[]> => {
+    const plan: Plan = client.planFile(backup, 1);
+    const [problem] = plan.problems;
+    if (problem) throw new Error(problem[1]);
+    if (plan.changes.length > 0) {
+      const written = (await during(gimbal, client.write())) as Written;
+      if (!written.ok) throw new Error(written.text);
+    }
+    return (await during(gimbal, client.diagnose())).map(({ sentence }) => sentence);
+  };
+  return { before: await findings(present), after: await findings(wanted) };
+}
