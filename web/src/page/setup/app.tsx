@@ -66,8 +66,19 @@ export function App({ session, token }: { session: Setup; token: string }) {
     void follow("Stop", session.ask({ kind: "stop" }));
     hold.releaseAll(true);
   };
+  /** Actions that have not ended. */
+  const running = useRef(0);
+  const run = async (text: string, label: string): Promise<void> => {
+    ++running.current;
+    await follow(label, session.ask({ kind: "act", action: text }));
+    --running.current;
+  };
   const disarm = useRef(() => {});
-  disarm.current = () => isArmed && arm(false);
+  disarm.current = () => {
+    if (!isArmed) return;
+    if (isConnected && running.current > 0) stop();
+    arm(false);
+  };
 
   useEffect(
     () =>
@@ -102,7 +113,7 @@ export function App({ session, token }: { session: Setup; token: string }) {
     session,
     language: "command",
     isReady: isConnected,
-    run: ({ text }, label) => void follow(label, session.ask({ kind: "act", action: text })),
+    run: ({ text }, label) => void run(text, label),
   };
   const bench: Bench = { session, isConnected, isArmed, arm, stop, canUndo, setUndo };
   return (
@@ -116,7 +127,7 @@ export function App({ session, token }: { session: Setup; token: string }) {
         )}
         <Status title={board?.identity ?? "No gimbal is connected"} onStop={stop}>
           <span class={isArmed ? "armed" : "muted"}>{isArmed ? "armed" : "motion locked"}</span>
-          {isArmed && <SmallButton onClick={() => arm(false)}>Lock</SmallButton>}
+          {isArmed && <SmallButton onClick={() => disarm.current()}>Lock</SmallButton>}
           {board && <Recorder />}
           {board && (
             <SmallButton onClick={() => session.ask({ kind: "disconnect" })}>Disconnect</SmallButton>

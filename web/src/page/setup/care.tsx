@@ -76,14 +76,23 @@ function CalibrationCard({ calibration }: { calibration: Calibration }) {
         {fields.length > 0 && (
           <li>
             <b>Enter.</b>{" "}
-            {fields.map(({ path, unit, summary: meaning }) => (
+            {fields.map(({ path, unit, summary: meaning, names }) => (
               <label key={path}>
                 {meaning || path}{" "}
-                <input
-                  type="text"
-                  value={values[path] ?? ""}
-                  onInput={(event) => setValues({ ...values, [path]: event.currentTarget.value })}
-                />{" "}
+                {names.length > 0 ? (
+                  <Select
+                    label={meaning || path}
+                    options={["", ...names]}
+                    value={values[path] ?? ""}
+                    onChange={(text) => setValues({ ...values, [path]: text })}
+                  />
+                ) : (
+                  <input
+                    type="text"
+                    value={values[path] ?? ""}
+                    onInput={(event) => setValues({ ...values, [path]: event.currentTarget.value })}
+                  />
+                )}{" "}
                 <span class="unit">{unit}</span>
               </label>
             ))}

@@ -5,7 +5,7 @@ import { useState } from "preact/hooks";
 import type { Connected, LineSettings, Place } from "../../setup_messages.js";
 import { Button, Choice, Select, SmallButton } from "../inputs.js";
 import { TaskState } from "./parts.js";
-import { nameOf, noteBoard, ports, usePorts, type Port } from "./ports.js";
+import { nameOf, noteBoard, ports, usePorts } from "./ports.js";
 import { useBench, useTask } from "./setup_session.js";
 
 const ways = [
@@ -13,7 +13,7 @@ const ways = [
   ["bridge", "sbgc bridge"],
 ] as const;
 
-type Connect = (place: Place, line: LineSettings | null, port?: Port) => Promise<void>;
+type Connect = (place: Place, line: LineSettings | null, port?: SerialPort) => Promise<void>;
 interface WayProps {
   isPossible: boolean;
   connect: Connect;
@@ -66,7 +66,7 @@ function SerialWay({ isPossible, connect }: WayProps) {
   const [known, look] = usePorts();
   const [rate, setRate] = useState("");
   const [parity, setParity] = useState<LineSettings["parity"]>("none");
-  const open = (port: Port, index: number): void => {
+  const open = (port: SerialPort, index: number): void => {
     const { usbVendorId: vendor = null, usbProductId: product = null } = port.getInfo();
     const line = rate === "" ? null : { baudRate: Number(rate), parity };
     void connect({ kind: "serial", index, vendor, product }, line, port);

@@ -3,6 +3,7 @@
 import { useState } from "preact/hooks";
 
 import type { Parameter, Plan, Read, Topic, Written } from "../../setup_messages.js";
+import { elementsOf } from "../../vendor_file.js";
 import { Button, Check, Select, SmallButton } from "../inputs.js";
 import { ParameterRow } from "./parameter_row.js";
 import { download, TaskState } from "./parts.js";
@@ -61,7 +62,9 @@ export function ParametersPanel() {
     if (!file) return;
     review(async () => {
       if (file.size > longestFile) throw new Error(`${file.name} is too long for a backup`);
-      return session.get("plan-file", { name: file.name, text: await file.text(), profile });
+      const content = await file.text();
+      const text = file.name.endsWith(".profile") ? elementsOf(content) : content;
+      return session.get("plan-file", { text, profile });
     });
   };
   const backup = (): Promise<unknown> =>

@@ -10,7 +10,7 @@ import { Session, type Progress, type Question } from "../session.js";
 /** What `done` brings, where the page looks at it. */
 interface Results {
   connect: setup.Connected;
-  record: Uint8Array<ArrayBuffer> | undefined;
+  record: Blob | null;
   parameters: setup.Read;
   profile: setup.Topic[];
   plan: setup.Plan;
