@@ -137,7 +137,7 @@ test("without Web Serial, the page says why and what helps", async () => {
   await open(async (page) => {
     const note = await page.locator(".note.warn:visible").innerText();
     assert.match(note, /no Web Serial.*sbgc bridge --page/s);
-    assert.ok(await button(page, "Connect to the bridge").isEnabled());
+    await button(page, "Connect to the bridge").and(page.locator(":enabled")).waitFor();
   }, { prepare });
 });
 

@@ -47,8 +47,8 @@ export function ParameterRow({ parameter, edit, problem, onEdit }: Props) {
       <div class="row">
         <Field id={id} parameter={parameter} value={edit ?? text} wrong={wrong} onChange={change} />
         {edit !== undefined && (
-          <SmallButton label={`Back to ${text}: ${path}`} onClick={() => onEdit(undefined)}>
-            was {text || "empty"}
+          <SmallButton label={`was ${text}; back: ${path}`} onClick={() => onEdit(undefined)}>
+            was {text}
           </SmallButton>
         )}
         {wrong && (
