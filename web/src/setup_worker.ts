@@ -300,14 +300,14 @@ class Workshop {
     });
   }
 
-  async #open(place: Place, line: LineSettings | null): Promise<Connected> {
+  async #open(place: Place, wanted: LineSettings | null): Promise<Connected> {
     say({ kind: "link", state: "searching", text: "looking for the board" });
     let opened: Connection | undefined;
     try {
       opened = await Connection.open(
         this.setup,
         place,
-        line,
+        wanted,
         (from, bytes) => this.#observe(from, bytes),
         (reason) => opened !== undefined && opened === this.#connection && void this.#find(reason),
         (made) => void (this.#opening = made),
@@ -322,11 +322,13 @@ class Workshop {
     this.#place = place;
     this.#line = opened.settings;
     const { serialNumber, lacks } = opened.client.board;
-    const { identity } = opened;
+    const { identity, settings } = opened;
+    const { baudRate, parity } = settings;
+    const line = `${baudRate} baud, ${parity === "none" ? "no parity" : "even parity"}`;
     this.#serialNumber = serialNumber;
     say({ kind: "identity", text: identity });
-    say({ kind: "link", state: "connected", text: identity });
-    return { identity, serialNumber, line: place.kind === "serial" ? opened.settings : null, lacks };
+    say({ kind: "link", state: "connected", text: place.kind === "serial" ? line : place.url });
+    return { identity, serialNumber, line: place.kind === "serial" ? settings : null, lacks };
   }
 
   /** A line that was lost is looked for until it is there again; it is not armed then. */
@@ -367,10 +369,10 @@ class Workshop {
     say({ kind: "link", state: "closed", text: "" });
   }
 
-  #record(on: boolean): Blob | null {
+  #record(on: boolean): Uint8Array | undefined {
     const made = this.#capture;
     this.#capture = on ? new Capture(now()) : null;
-    return on ? null : (made?.blob() ?? null);
+    return on ? undefined : made?.bytes();
   }
 
   async #try(): Promise<unknown> {
