@@ -1,11 +1,12 @@
 // Charts of angles with targets, speeds and powers. uPlot is loaded after the controls.
 
+import type { RefObject } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 
 import type { View } from "../worker_messages.js";
 import { anglesWords, axisNames } from "./axes.js";
 import { History } from "./history.js";
-import type { Plot } from "./plot.js";
+import type { Plot, PlotOptions } from "./plot.js";
 import { everySecond, useDesk } from "./session.js";
 import { onThemeChange } from "./theme.js";
 
@@ -16,62 +17,86 @@ const kinds = [
   { key: "power", title: "Powers of the motors", unit: " %", hasZero: true },
 ] as const;
 
-export function Charts() {
-  const { session } = useDesk();
-  const place = useRef<HTMLDivElement>(null);
+/** Plots in the elements of `place` with data-chart, made again in new colors; and what went wrong. */
+export function usePlots(
+  place: RefObject<HTMLElement | null>,
+  kinds: readonly PlotOptions[],
+  draw: (plots: Plot[]) => void,
+): string {
   const [problem, setProblem] = useState("");
+  const newest = useRef(draw);
+  newest.current = draw;
   useEffect(() => {
     const target = place.current;
     if (!target) return;
-    const history = new History();
     const boxes = [...target.querySelectorAll<HTMLElement>("[data-chart]")];
     let plots: Plot[] = [];
-    let isInSight = false;
     let isEnded = false;
-    const label = everySecond(({ camera }: View) => {
-      const now = anglesWords(camera);
-      for (const box of boxes) box.setAttribute("aria-label", `${box.dataset.chart}; now ${now}`);
-    });
-
-    const draw = (): void => {
-      if (!isInSight || !plots.length || !history.times.length) return;
-      const { times, camera, targets, speeds, power } = history;
-      const columns = [[...camera, ...targets], speeds, power];
-      for (const [n, plot] of plots.entries()) plot.draw([times, ...(columns[n] ?? [])]);
-      if (session.view) label(session.view);
-    };
     const make = async (): Promise<void> => {
       try {
         const { createPlot } = await import("./plot.js");
         if (isEnded) return;
         for (const plot of plots) plot.end();
         plots = boxes.map((box, n) => createPlot(box, kinds[n] ?? { unit: "" }));
-        draw();
+        newest.current(plots);
       } catch (error) {
         setProblem(`The charts could not be loaded: ${String(error)}`);
       }
     };
     void make();
-    const endViews = session.listen((report) => {
-      if (report.kind === "view") history.add(report.view);
-    });
-    const endDrawing = session.draw(perSecond, draw);
-    const sight = new IntersectionObserver(([entry]) => {
-      isInSight = entry?.isIntersecting ?? false;
-      draw();
-    });
-    sight.observe(target);
     const size = new ResizeObserver(() => plots.forEach((plot) => plot.resize()));
     size.observe(target);
     const endTheme = onThemeChange(() => void make());
     return () => {
       isEnded = true;
-      endViews();
-      endDrawing();
       endTheme();
-      sight.disconnect();
       size.disconnect();
       for (const plot of plots) plot.end();
+    };
+  }, [place]);
+  return problem;
+}
+
+export function Charts() {
+  const { session } = useDesk();
+  const place = useRef<HTMLDivElement>(null);
+  const plots = useRef<Plot[]>([]);
+  const draw = useRef(() => {});
+  const problem = usePlots(place, kinds, (made) => {
+    plots.current = made;
+    draw.current();
+  });
+  useEffect(() => {
+    const target = place.current;
+    if (!target) return;
+    const history = new History();
+    let isInSight = false;
+    const label = everySecond(({ camera }: View) => {
+      const now = anglesWords(camera);
+      for (const box of target.querySelectorAll<HTMLElement>("[data-chart]")) {
+        box.setAttribute("aria-label", `${box.dataset.chart}; now ${now}`);
+      }
+    });
+    draw.current = () => {
+      if (!isInSight || !plots.current.length || !history.times.length) return;
+      const { times, camera, targets, speeds, power } = history;
+      const columns = [[...camera, ...targets], speeds, power];
+      for (const [n, plot] of plots.current.entries()) plot.draw([times, ...(columns[n] ?? [])]);
+      if (session.view) label(session.view);
+    };
+    const endViews = session.listen((report) => {
+      if (report.kind === "view") history.add(report.view);
+    });
+    const endDrawing = session.draw(perSecond, () => draw.current());
+    const sight = new IntersectionObserver(([entry]) => {
+      isInSight = entry?.isIntersecting ?? false;
+      draw.current();
+    });
+    sight.observe(target);
+    return () => {
+      endViews();
+      endDrawing();
+      sight.disconnect();
     };
   }, [session]);
   return (

@@ -1,5 +1,6 @@
 // Inputs: numbers, with a slider or without, and choices.
 
+import type { ComponentChildren } from "preact";
 import { useEffect, useId, useState } from "preact/hooks";
 
 import type { Limits } from "./values.js";
@@ -85,6 +86,42 @@ export const Select = ({ label, options, value, onChange }: SelectProps) => (
       <option key={one}>{one}</option>
     ))}
   </select>
+);
+
+/** How a button stands out. */
+type Look = "plain" | "plain quiet" | "plain small" | "plain quiet small" | "usual";
+
+interface ButtonProps {
+  look?: Look;
+  label?: string;
+  disabled?: boolean;
+  onClick: () => unknown;
+  children: ComponentChildren;
+}
+
+export const Button = ({ look = "plain", label, onClick, ...rest }: ButtonProps) => (
+  <button type="button" class={look} aria-label={label} onClick={() => void onClick()} {...rest} />
+);
+
+/** For what is beside the main thing. */
+export const SmallButton = (props: ButtonProps) => <Button look="plain quiet small" {...props} />;
+
+interface CheckProps {
+  label: string;
+  checked: boolean;
+  title?: string;
+  onChange: (checked: boolean) => void;
+}
+
+export const Check = ({ label, title, checked, onChange }: CheckProps) => (
+  <label title={title}>
+    <input
+      type="checkbox"
+      checked={checked}
+      onChange={(event) => onChange(event.currentTarget.checked)}
+    />
+    <span>{label}</span>
+  </label>
 );
 
 interface ChoiceProps<T extends string> {

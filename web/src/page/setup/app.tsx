@@ -5,7 +5,7 @@ import { useEffect, useRef, useState } from "preact/hooks";
 import type { Connected, LinkState } from "../../setup_messages.js";
 import { Charts } from "../charts.js";
 import { Horizons } from "../horizon.js";
-import { Choice } from "../inputs.js";
+import { Button, Choice, SmallButton } from "../inputs.js";
 import { Log } from "../log.js";
 import { Numbers } from "../numbers.js";
 import { Offline } from "../offline.js";
@@ -15,32 +15,32 @@ import { DeskContext, type Desk } from "../session.js";
 import { Status } from "../status.js";
 import { CarePanel } from "./care.js";
 import { ConnectPanel } from "./connect.js";
+import { useEvents } from "./events.js";
 import { Hold } from "./hold.js";
 import { MovePanel } from "./move.js";
 import { ParametersPanel } from "./parameters.js";
 import { download } from "./parts.js";
-import { BenchContext, useBench, type Bench, type Setup } from "./setup_session.js";
+import { BenchContext, useBench, useTask, type Bench, type Setup } from "./setup_session.js";
 
 declare const VERSION: string;
 const reloadedFor = "sbgc-setup-reloaded";
 
-const tasks = [
+const views = [
   ["move", "Look and move"],
   ["parameters", "Parameters"],
   ["care", "Care"],
 ] as const;
-type TaskName = (typeof tasks)[number][0];
 
-/** Returns what is wrong with a worker of another version, if it was no use to load the page again. */
+/** Loads the page again if its worker has another version; returns what is wrong, or "". */
 function checkVersion(version: string): string {
   if (version === VERSION) return "";
-  const key = `${VERSION} ${version}`;
-  if (sessionStorage.getItem(reloadedFor) === key) {
-    return "the page and its worker have different versions, also after it was loaded again; clear the browser's cache";
+  const both = `${VERSION} ${version}`;
+  if (sessionStorage.getItem(reloadedFor) === both) {
+    return "it and its worker have different versions, although it was loaded again; clear the browser's cache";
   }
-  sessionStorage.setItem(reloadedFor, key);
+  sessionStorage.setItem(reloadedFor, both);
   location.reload();
-  return "the page is loaded again, because its worker has another version";
+  return "its worker has another version, so it is loaded again";
 }
 
 export function App({ session, token }: { session: Setup; token: string }) {
@@ -48,11 +48,10 @@ export function App({ session, token }: { session: Setup; token: string }) {
   const [failure, setFailure] = useState("");
   const [link, setLink] = useState<{ state: LinkState; text: string }>({ state: "closed", text: "" });
   const [board, setBoard] = useState<Connected | null>(null);
-  const [connections, setConnections] = useState(0);
   const [isArmed, setArmed] = useState(false);
   const [canUndo, setUndo] = useState(false);
   const [notice, setNotice] = useState("");
-  const [shown, setShown] = useState<TaskName>("move");
+  const [shown, setShown] = useState<(typeof views)[number][0]>("move");
   const { outcome, follow } = useOutcome();
   const [hold] = useState(() => new Hold((speeds) => session.hold(speeds)));
   const isConnected = link.state === "connected" && board !== null;
@@ -67,8 +66,19 @@ export function App({ session, token }: { session: Setup; token: string }) {
     void follow("Stop", session.ask({ kind: "stop" }));
     hold.releaseAll(true);
   };
-  const newest = useRef({ stop, arm });
-  newest.current = { stop, arm };
+  /** Actions that have not ended. */
+  const running = useRef(0);
+  const run = async (text: string, label: string): Promise<void> => {
+    ++running.current;
+    await follow(label, session.ask({ kind: "act", action: text }));
+    --running.current;
+  };
+  const disarm = useRef(() => {});
+  disarm.current = () => {
+    if (!isArmed) return;
+    if (isConnected && running.current > 0) stop();
+    arm(false);
+  };
 
   useEffect(
     () =>
@@ -82,30 +92,20 @@ export function App({ session, token }: { session: Setup; token: string }) {
         if (report.kind === "notice") setNotice(report.text);
         if (report.kind !== "link") return;
         setLink(report);
-        if (report.state !== "connected") newest.current.arm(false);
+        if (report.state !== "connected") disarm.current();
         if (report.state === "closed") setBoard(null);
       }),
     [session],
   );
-  useEffect(() => {
-    // Before anything else hears of it, so that no dialog or field keeps the key for itself.
-    const key = (event: KeyboardEvent): void => {
-      if (event.key === "Escape") newest.current.stop();
-    };
-    const hide = (): void => {
-      if (document.hidden) newest.current.arm(false);
-    };
-    addEventListener("keydown", key, { capture: true });
-    document.addEventListener("visibilitychange", hide);
-    return () => {
-      removeEventListener("keydown", key, { capture: true });
-      document.removeEventListener("visibilitychange", hide);
-    };
-  }, [session]);
+  // No dialog or field can keep the key for itself.
+  const escape = (event: Event): void => {
+    if ((event as KeyboardEvent).key === "Escape") stop();
+  };
+  useEvents(window, ["keydown"], escape, true);
+  useEvents(document, ["visibilitychange"], () => document.hidden && disarm.current());
 
   const connected = (now: Connected): void => {
     setBoard(now);
-    setConnections((count) => count + 1);
     setUndo(false);
     setNotice("");
   };
@@ -113,10 +113,9 @@ export function App({ session, token }: { session: Setup; token: string }) {
     session,
     language: "command",
     isReady: isConnected,
-    run: ({ text }, label) => void follow(label, session.ask({ kind: "act", action: text })),
+    run: ({ text }, label) => void run(text, label),
   };
   const bench: Bench = { session, isConnected, isArmed, arm, stop, canUndo, setUndo };
-  const title = board ? board.identity : isReady ? "No gimbal is connected" : "The page starts…";
   return (
     <DeskContext.Provider value={desk}>
       <BenchContext.Provider value={bench}>
@@ -126,51 +125,26 @@ export function App({ session, token }: { session: Setup; token: string }) {
             <p>This page cannot work: {failure}</p>
           </div>
         )}
-        <Status title={title} onStop={stop}>
+        <Status title={board?.identity ?? "No gimbal is connected"} onStop={stop}>
           <span class={isArmed ? "armed" : "muted"}>{isArmed ? "armed" : "motion locked"}</span>
-          {isArmed && (
-            <button type="button" class="plain quiet small" onClick={() => arm(false)}>
-              Lock
-            </button>
-          )}
+          {isArmed && <SmallButton onClick={() => disarm.current()}>Lock</SmallButton>}
           {board && <Recorder />}
           {board && (
-            <button
-              type="button"
-              class="plain quiet small"
-              onClick={() => void session.ask({ kind: "disconnect" })}
-            >
-              Disconnect
-            </button>
+            <SmallButton onClick={() => session.ask({ kind: "disconnect" })}>Disconnect</SmallButton>
           )}
         </Status>
-        <p class={link.state === "lost" ? "link bad" : "link"} role="status">
+        <p class={link.state === "lost" ? "outcome bad" : "outcome"} role="status">
           {link.text}
         </p>
-        {board && board.lacks.length > 0 && (
-          <details class="lacks">
-            <summary>What this board lacks</summary>
-            <ul>
-              {board.lacks.map((one) => (
-                <li key={one}>{one}</li>
-              ))}
-            </ul>
-          </details>
-        )}
         {!board && <ConnectPanel token={token} isReady={isReady} onConnected={connected} />}
         {board && (
           <>
-            <Choice
-              class="tasks"
-              legend="What to do"
-              options={tasks}
-              value={shown}
-              onChange={setShown}
-            />
+            <Lacks sentences={board.lacks} />
+            <Choice class="views" legend="View" options={views} value={shown} onChange={setShown} />
             <p class={outcome.isBad ? "outcome bad" : "outcome"} role="status">
               {outcome.text || notice}
             </p>
-            <div hidden={shown !== "move"} key={`move ${connections}`}>
+            <div hidden={shown !== "move"}>
               <div class="bench">
                 <div class="stage">
                   <GimbalView />
@@ -184,10 +158,10 @@ export function App({ session, token }: { session: Setup; token: string }) {
               <Charts />
               <Log />
             </div>
-            <div hidden={shown !== "parameters"} key={`parameters ${connections}`}>
+            <div hidden={shown !== "parameters"}>
               <ParametersPanel />
             </div>
-            <div hidden={shown !== "care"} key={`care ${connections}`}>
+            <div hidden={shown !== "care"}>
               <CarePanel />
             </div>
           </>
@@ -197,29 +171,33 @@ export function App({ session, token }: { session: Setup; token: string }) {
   );
 }
 
+const Lacks = ({ sentences }: { sentences: string[] }) =>
+  sentences.length > 0 ? (
+    <details class="says">
+      <summary>What this board lacks</summary>
+      <ul>
+        {sentences.map((one) => (
+          <li key={one}>{one}</li>
+        ))}
+      </ul>
+    </details>
+  ) : null;
+
 function Recorder() {
   const { session } = useBench();
   const [isOn, setOn] = useState(false);
-  const [problem, setProblem] = useState("");
-  const toggle = async (): Promise<void> => {
-    try {
+  const { run, problem } = useTask();
+  const toggle = (): Promise<unknown> =>
+    run(async () => {
       const bytes = await session.get("record", { on: !isOn });
       if (isOn && bytes) download(bytes, "capture");
       setOn(!isOn);
-      setProblem("");
-    } catch (error) {
-      setProblem(String(error));
-    }
-  };
+    });
   return (
     <>
-      <button
-        type="button"
-        class={isOn ? "plain small" : "plain quiet small"}
-        onClick={() => void toggle()}
-      >
+      <Button look={isOn ? "plain small" : "plain quiet small"} onClick={toggle}>
         {isOn ? "Save the recording" : "Record"}
-      </button>
+      </Button>
       {problem && <span class="bad">{problem}</span>}
     </>
   );

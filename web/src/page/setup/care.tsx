@@ -5,7 +5,7 @@ import { useEffect, useState } from "preact/hooks";
 import type { Calibration } from "../../setup_messages.js";
 import { axisNames, axisNumbers } from "../axes.js";
 import { DoctorPanel } from "../doctor.js";
-import { Select, SliderRow } from "../inputs.js";
+import { Button, Check, Select, SliderRow } from "../inputs.js";
 import { useView } from "../session.js";
 import type { Limits } from "../values.js";
 import { BodePanel } from "./bode.js";
@@ -49,43 +49,50 @@ function CalibrationCard({ calibration }: { calibration: Calibration }) {
   const [said, setSaid] = useState({ text: "", isGood: true });
   const [asks, setAsks] = useState(false);
   const task = useTask();
-  const { name, summary, preparation, effects } = calibration;
+  const { name, summary, preparation, effects, values: fields } = calibration;
   const asked = { calibration: name, values };
-  const isComplete = calibration.values.every(({ path }) => values[path]?.trim());
+  const isComplete = fields.every(({ path }) => values[path]?.trim());
   const isPossible = isConnected && !task.isBusy && isComplete;
-  const check = async (): Promise<void> => {
-    const found = await task.run((progress) => session.get("check", asked, progress));
-    if (!found) return setSaid({ text: "", isGood: false });
-    setSaid({ text: found.problem || "The gimbal is ready.", isGood: !found.problem });
-  };
-  const calibrate = async (): Promise<void> => {
-    setSaid({ text: "", isGood: true });
-    const done = await task.run(async (progress) => {
-      await session.get("calibrate", asked, progress);
-      return true;
+  const check = (): Promise<unknown> =>
+    task.run(async (progress) => {
+      const { problem } = await session.get("check", asked, progress);
+      setSaid({ text: problem || "The gimbal is ready.", isGood: !problem });
     });
-    if (done) setSaid({ text: "The calibration is done.", isGood: true });
-  };
+  const calibrate = (): Promise<unknown> =>
+    task.run(async (progress) => {
+      setSaid({ text: "", isGood: true });
+      await session.get("calibrate", asked, progress);
+      setSaid({ text: "The calibration is done.", isGood: true });
+    });
   return (
-    <details class="topic calibration">
+    <details class="topic">
       <summary>
         <b>{name}</b> <span class="muted">{summary}</span>
       </summary>
       <ol>
         <li>
-          <b>Prepare.</b> {preparation || "Nothing is to prepare."}
+          <b>Prepare.</b> {preparation || "Nothing needs to be prepared."}
         </li>
-        {calibration.values.length > 0 && (
-          <li class="fields">
-            <b>Say</b>
-            {calibration.values.map(({ path, unit, summary: meaning }) => (
+        {fields.length > 0 && (
+          <li>
+            <b>Enter.</b>{" "}
+            {fields.map(({ path, unit, summary: meaning, names }) => (
               <label key={path}>
                 {meaning || path}{" "}
-                <input
-                  type="text"
-                  value={values[path] ?? ""}
-                  onInput={(event) => setValues({ ...values, [path]: event.currentTarget.value })}
-                />{" "}
+                {names.length > 0 ? (
+                  <Select
+                    label={meaning || path}
+                    options={["", ...names]}
+                    value={values[path] ?? ""}
+                    onChange={(text) => setValues({ ...values, [path]: text })}
+                  />
+                ) : (
+                  <input
+                    type="text"
+                    value={values[path] ?? ""}
+                    onInput={(event) => setValues({ ...values, [path]: event.currentTarget.value })}
+                  />
+                )}{" "}
                 <span class="unit">{unit}</span>
               </label>
             ))}
@@ -95,28 +102,14 @@ function CalibrationCard({ calibration }: { calibration: Calibration }) {
           <b>Check</b> that the gimbal is as the calibration expects it.
         </li>
         <li>
-          <b>Calibrate.</b> {effects} Hands off until it has ended, unless the step says otherwise.
+          <b>Calibrate.</b> {effects} Keep your hands off, unless a step says otherwise.
         </li>
       </ol>
-      <div class="do">
-        <button
-          type="button"
-          class="plain quiet"
-          disabled={!isPossible}
-          onClick={() => void check()}
-        >
-          Check
-        </button>
-        <button
-          type="button"
-          class="plain"
-          disabled={!isPossible}
-          onClick={() => setAsks(true)}
-        >
-          Calibrate
-        </button>
+      <div class="row">
+        <Button look="plain quiet" disabled={!isPossible} onClick={check}>Check</Button>
+        <Button disabled={!isPossible} onClick={() => setAsks(true)}>Calibrate</Button>
       </div>
-      <TaskState task={task} hasCancel />
+      <TaskState task={task} onCancel={() => void session.ask({ kind: "cancel" })} />
       <p class={said.isGood ? "good" : "bad"} role="status">
         {said.text}
       </p>
@@ -149,15 +142,13 @@ function TunePanel() {
   const active = useView(1)?.profile ?? 1;
   const profile = chosen || active;
   const names = axisNames.filter((_, n) => axes[n]).join(", ");
-  const tune = async (): Promise<void> => {
-    setDone(false);
-    const done = await task.run(async (progress) => {
+  const tune = (): Promise<unknown> =>
+    task.run(async (progress) => {
+      setDone(false);
+      setUndo(true); // also of what a tuning that fails has stored
       await session.get("tune", { axes, gain, profile }, progress);
-      return true;
+      setDone(true);
     });
-    setUndo(true);
-    setDone(done ?? false);
-  };
   return (
     <section aria-labelledby="tune-title">
       <h2 id="tune-title">Tune the controllers</h2>
@@ -165,22 +156,15 @@ function TunePanel() {
         The board shakes the camera about {names || "no axis"} for some minutes and stores new gains
         in profile {profile}. Balance the camera, fasten the frame and keep your hands off.
       </ArmSwitch>
-      <div class="filter">
-        <fieldset class="kinds">
-          <legend class="hidden">Axes to tune</legend>
-          {axisNumbers.map((n) => (
-            <label key={n}>
-              <input
-                type="checkbox"
-                checked={axes[n]}
-                onChange={() =>
-                  setAxes(axes.map((one, axis) => (axis === n ? !one : one)) as typeof axes)
-                }
-              />
-              {axisNames[n]}
-            </label>
-          ))}
-        </fieldset>
+      <div class="row">
+        {axisNumbers.map((n) => (
+          <Check
+            key={n}
+            label={axisNames[n]}
+            checked={axes[n]}
+            onChange={(on) => setAxes(axes.map((one, m) => (m === n ? on : one)) as typeof axes)}
+          />
+        ))}
         <label>
           Profile{" "}
           <Select
@@ -191,23 +175,10 @@ function TunePanel() {
           />
         </label>
       </div>
-      <SliderRow
-        label="Gain"
-        unit="%"
-        limits={gainLimits}
-        value={gain}
-        describe={(one) => `${one} %; low is stable, high is stiff`}
-        onChange={setGain}
-      />
-      <button
-        type="button"
-        class="plain"
-        disabled={!isArmed || task.isBusy || !names}
-        onClick={() => void tune()}
-      >
-        Tune
-      </button>
-      <TaskState task={task} hasCancel />
+      <SliderRow label="Gain" unit="%" limits={gainLimits} value={gain} onChange={setGain} />
+      <p class="says">A low gain is stable, a high one holds the camera more firmly.</p>
+      <Button disabled={!isArmed || task.isBusy || !names} onClick={tune}>Tune</Button>
+      <TaskState task={task} onCancel={() => void session.ask({ kind: "cancel" })} />
       {isDone && (
         <p class="good" role="status">
           The board has stored new gains. Read the parameters to see them; “Undo the last write” is

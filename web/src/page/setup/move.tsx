@@ -9,6 +9,7 @@ import { SliderRow } from "../inputs.js";
 import { motorsOff, motorsOn, moveTo, release } from "../lines.js";
 import { DeskContext, useDesk, useView } from "../session.js";
 import { numbers, type Limits } from "../values.js";
+import { useEvents } from "./events.js";
 import { period, type Hold } from "./hold.js";
 import { ArmSwitch } from "./parts.js";
 import { useBench } from "./setup_session.js";
@@ -103,28 +104,13 @@ const ways: Way[] = [
 
 function TurnPanel({ hold }: { hold: Hold }) {
   const { isArmed } = useBench();
-  const [pad, setPad] = useState("");
-  useEffect(() => {
-    const look = (): void =>
-      setPad(navigator.getGamepads?.().find((one) => one !== null)?.id ?? "");
-    look();
-    for (const kind of ["gamepadconnected", "gamepaddisconnected"]) addEventListener(kind, look);
-    return () => {
-      for (const kind of ["gamepadconnected", "gamepaddisconnected"]) {
-        removeEventListener(kind, look);
-      }
-    };
-  }, []);
   useEffect(() => {
     if (!isArmed) return;
     const timer = setInterval(() => hold.tick(), period);
-    const letGo = (): void => hold.releaseAll();
-    addEventListener("blur", letGo);
-    return () => {
-      clearInterval(timer);
-      removeEventListener("blur", letGo);
-    };
+    return () => clearInterval(timer);
   }, [hold, isArmed]);
+  useEvents(window, ["blur"], () => hold.releaseAll());
+  const pad = navigator.getGamepads?.().find((one) => one !== null)?.id;
 
   /** The way of an arrow key, or of the button on which Space or Enter is held. */
   const wayOf = ({ key, target }: KeyboardEvent): Way | undefined =>
@@ -161,7 +147,8 @@ function TurnPanel({ hold }: { hold: Hold }) {
           <button
             key={way.name}
             type="button"
-            class={`plain quiet ${way.name.toLowerCase().replace(" ", "-")}`}
+            class="plain quiet"
+            style={{ gridArea: way.name.toLowerCase().replace(" ", "-") }}
             aria-label={way.name}
             title={way.name}
             disabled={!isArmed}
@@ -174,7 +161,7 @@ function TurnPanel({ hold }: { hold: Hold }) {
             {way.sign}
           </button>
         ))}
-        <button type="button" class="plain quiet keys" disabled={!isArmed}>
+        <button type="button" class="plain quiet small" disabled={!isArmed}>
           Arrow keys
         </button>
       </div>

@@ -3,6 +3,7 @@
 import { useId } from "preact/hooks";
 
 import type { Parameter } from "../../setup_messages.js";
+import { Button, Check, SmallButton } from "../inputs.js";
 
 /** Numbers are edited without their unit, which stands beside them. */
 const bare = (text: string, unit: string): string =>
@@ -17,11 +18,11 @@ function rangeOf({ least, most }: Parameter): string {
   return most === null ? "" : `to ${most}`;
 }
 
-const isOutside = ({ kind, least, most, unit }: Parameter, text: string): boolean => {
-  const value = bare(text, unit);
-  if (kind !== "number" || !isNumber(value)) return false;
-  return (least !== null && Number(value) < least) || (most !== null && Number(value) > most);
-};
+function isOutside({ kind, least, most, unit }: Parameter, text: string): boolean {
+  const value = Number(bare(text, unit));
+  if (kind !== "number" || !isNumber(bare(text, unit))) return false;
+  return value < (least ?? -Infinity) || value > (most ?? Infinity);
+}
 
 interface Props {
   parameter: Parameter;
@@ -33,54 +34,41 @@ interface Props {
 
 export function ParameterRow({ parameter, edit, problem, onEdit }: Props) {
   const id = useId();
-  const { path, summary, text, general } = parameter;
+  const { path, summary, text, general, default: usual } = parameter;
   const change = (now: string): void => onEdit(now === text ? undefined : now);
   const range = rangeOf(parameter);
-  const wrong = problem ?? (edit && isOutside(parameter, edit) ? `Possible: ${range}` : undefined);
-  const usual = parameter.default;
+  const wrong = problem ?? (isOutside(parameter, edit ?? text) ? `Possible: ${range}` : "");
   return (
     <div class={edit === undefined ? "parameter" : "parameter changed"}>
-      <div class="meaning">
-        <label for={id}>{path}</label> <span id={`${id}-summary`}>{summary}</span>
+      <div>
+        <label for={id}>{path}</label> {summary}
         {general && <span class="muted"> The same in all profiles.</span>}
       </div>
-      <div class="value">
-        <Field
-          id={id}
-          parameter={parameter}
-          value={edit ?? text}
-          isWrong={wrong !== undefined}
-          onChange={change}
-        />
+      <div class="row">
+        <Field id={id} parameter={parameter} value={edit ?? text} wrong={wrong} onChange={change} />
         {edit !== undefined && (
-          <button
-            type="button"
-            class="plain quiet small"
-            aria-label={`Back to ${text}: ${path}`}
-            onClick={() => onEdit(undefined)}
-          >
-            was {text || "empty"}
-          </button>
+          <SmallButton label={`was ${text}; back: ${path}`} onClick={() => onEdit(undefined)}>
+            was {text}
+          </SmallButton>
         )}
         {wrong && (
-          <p class="bad" id={`${id}-problem`}>
+          <p class="bad" id={`${id}-wrong`}>
             {wrong}
           </p>
         )}
       </div>
-      <div class="facts">
-        {range && <span>{range}</span>}
+      <div class="row muted">
+        <span>{range}</span>
         {usual && (
           <span>
             default{" "}
-            <button
-              type="button"
-              class="usual"
-              aria-label={`The default, ${usual}: ${path}`}
+            <Button
+              look="usual"
+              label={`The default, ${usual}: ${path}`}
               onClick={() => change(usual)}
             >
               {usual}
-            </button>
+            </Button>
           </span>
         )}
       </div>
@@ -92,25 +80,17 @@ interface FieldProps {
   id: string;
   parameter: Parameter;
   value: string;
-  isWrong: boolean;
+  wrong: string;
   onChange: (text: string) => void;
 }
 
-function Field({ id, parameter, value, isWrong, onChange }: FieldProps) {
+function Field({ id, parameter, value, wrong, onChange }: FieldProps) {
   const { kind, names, unit, path } = parameter;
-  const described = {
-    id,
-    "aria-describedby": isWrong ? `${id}-problem` : `${id}-summary`,
-    "aria-invalid": isWrong,
-  };
+  const state = { "aria-invalid": wrong !== "", "aria-describedby": wrong && `${id}-wrong` };
   if (kind === "enum") {
     const isKnown = names.some(([name]) => name === value);
     return (
-      <select
-        {...described}
-        value={value}
-        onChange={(event) => onChange(event.currentTarget.value)}
-      >
+      <select id={id} value={value} onChange={(event) => onChange(event.currentTarget.value)}>
         {!isKnown && <option>{value}</option>}
         {names.map(([name, summary]) => (
           <option key={name} value={name} title={summary}>
@@ -122,25 +102,24 @@ function Field({ id, parameter, value, isWrong, onChange }: FieldProps) {
   }
   if (kind === "flags") {
     const set = value.split("|").filter((one) => one !== "0");
-    const toggle = (name: string): void => {
-      const now = set.includes(name) ? set.filter((one) => one !== name) : [...set, name];
-      // In the order of the names, so that a change back is none.
-      const order = (one: string): number => {
-        const at = names.findIndex(([known]) => known === one);
-        return at < 0 ? names.length : at;
-      };
-      onChange(now.sort((a, b) => order(a) - order(b)).join("|") || "0");
-    };
+    // In the order of the names, then unknown bits, so that a change back is none.
+    const known = names.map(([name]) => name);
+    const all = [...known, ...set.filter((one) => !known.includes(one))];
+    const toggle = (name: string, on: boolean): void =>
+      onChange(all.filter((one) => (one === name ? on : set.includes(one))).join("|") || "0");
     return (
-      <details class="flags">
+      <details>
         <summary id={id}>{set.join(", ") || "none"}</summary>
         <fieldset>
           <legend class="hidden">{path}</legend>
           {names.map(([name, summary]) => (
-            <label key={name} title={summary}>
-              <input type="checkbox" checked={set.includes(name)} onChange={() => toggle(name)} />
-              {name}
-            </label>
+            <Check
+              key={name}
+              label={name}
+              title={summary}
+              checked={set.includes(name)}
+              onChange={(on) => toggle(name, on)}
+            />
           ))}
         </fieldset>
       </details>
@@ -149,11 +128,10 @@ function Field({ id, parameter, value, isWrong, onChange }: FieldProps) {
   return (
     <>
       <input
-        {...described}
+        id={id}
+        {...state}
         type="text"
         inputMode={kind === "number" ? "decimal" : "text"}
-        class={kind === "number" ? "number" : ""}
-        spellcheck={false}
         autocomplete="off"
         value={bare(value, unit)}
         onInput={(event) => onChange(whole(event.currentTarget.value, unit))}

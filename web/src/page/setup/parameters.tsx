@@ -3,7 +3,8 @@
 import { useState } from "preact/hooks";
 
 import type { Parameter, Plan, Read, Topic, Written } from "../../setup_messages.js";
-import { Select } from "../inputs.js";
+import { elementsOf } from "../../vendor_file.js";
+import { Button, Check, Select, SmallButton } from "../inputs.js";
 import { ParameterRow } from "./parameter_row.js";
 import { download, TaskState } from "./parts.js";
 import { Review } from "./review.js";
@@ -61,7 +62,9 @@ export function ParametersPanel() {
     if (!file) return;
     review(async () => {
       if (file.size > longestFile) throw new Error(`${file.name} is too long for a backup`);
-      return session.get("plan-file", { name: file.name, text: await file.text(), profile });
+      const content = await file.text();
+      const text = file.name.endsWith(".profile") ? elementsOf(content) : content;
+      return session.get("plan-file", { text, profile });
     });
   };
   const backup = (): Promise<unknown> =>
@@ -74,9 +77,15 @@ export function ParametersPanel() {
     await task.run(() => show(profile));
   };
 
+  const discard = (): void => {
+    setEdits({});
+    setPlan(null);
+  };
+
   const counts = Object.entries(edits)
-    .map(([key, one]) => [Number(key), Object.keys(one).length] as const)
-    .filter(([, count]) => count > 0);
+    .map(([key, one]) => [key === "0" ? "all profiles" : `profile ${key}`, Object.keys(one).length])
+    .flatMap(([where, count]) => (count ? [`${count} changed in ${where}`] : []))
+    .join(", ");
   const isPossible = isConnected && !task.isBusy;
   const problems = new Map(plan?.problems);
   return (
@@ -92,48 +101,33 @@ export function ParametersPanel() {
     >
       <div class="head">
         <h2 id="parameters-title">Parameters</h2>
-        <div class="do">
-          <button
-            type="button"
-            class={read ? "plain quiet small" : "plain"}
-            disabled={!isPossible}
-            onClick={() => void readAll()}
-          >
-            {read ? "Read again" : "Read the parameters"}
-          </button>
-          {read && (
-            <>
-              <button
-                type="button"
-                class="plain quiet small"
+        {!read && (
+          <Button disabled={!isPossible} onClick={readAll}>Read the parameters</Button>
+        )}
+        {read && (
+          <div class="row">
+            <SmallButton disabled={!isPossible} onClick={readAll}>Read again</SmallButton>
+            <SmallButton disabled={!isPossible} onClick={backup}>Save a backup</SmallButton>
+            <label class="file">
+              Open a file
+              <input
+                type="file"
+                accept=".json,.profile"
                 disabled={!isPossible}
-                onClick={() => void backup()}
-              >
-                Save a backup
-              </button>
-              <label class="plain quiet small file">
-                Open a file
-                <input
-                  type="file"
-                  accept=".json,.profile"
-                  disabled={!isPossible}
-                  onChange={(event) => {
-                    take(event.currentTarget.files?.[0]);
-                    event.currentTarget.value = "";
-                  }}
-                />
-              </label>
-              <button
-                type="button"
-                class="plain quiet small"
-                disabled={!isPossible || !canUndo}
-                onClick={() => review(() => session.get("plan-undo", {}))}
-              >
-                Undo the last write
-              </button>
-            </>
-          )}
-        </div>
+                onChange={({ currentTarget }) => {
+                  take(currentTarget.files?.[0]);
+                  currentTarget.value = ""; // the same file may come again
+                }}
+              />
+            </label>
+            <SmallButton
+              disabled={!isPossible || !canUndo}
+              onClick={() => review(() => session.get("plan-undo", {}))}
+            >
+              Undo the last write
+            </SmallButton>
+          </div>
+        )}
       </div>
       <TaskState task={task} />
       {written && (
@@ -143,7 +137,7 @@ export function ParametersPanel() {
       )}
       {read && (
         <>
-          <div class="filter">
+          <div class="row filter">
             <label>
               Profile{" "}
               <Select
@@ -156,42 +150,22 @@ export function ParametersPanel() {
             <input
               type="search"
               aria-label="Search the parameters"
-              placeholder="Search the parameters"
+              placeholder="Search"
               value={needle}
               onInput={(event) => setNeedle(event.currentTarget.value)}
             />
-            <label>
-              <input
-                type="checkbox"
-                checked={onlyChanged}
-                onChange={(event) => setOnlyChanged(event.currentTarget.checked)}
-              />{" "}
-              Only changed
-            </label>
-            <span class="count" role="status">
-              {counts
-                .map(([key, count]) => `${count} changed in ${key ? `profile ${key}` : "all profiles"}`)
-                .join(", ") || "Nothing is changed"}
+            <Check label="Only changed" checked={onlyChanged} onChange={setOnlyChanged} />
+            <span class="muted" role="status">
+              {counts || "Nothing is changed"}
             </span>
-            <button
-              type="button"
-              class="plain quiet small"
-              disabled={counts.length === 0}
-              onClick={() => {
-                setEdits({});
-                setPlan(null);
-              }}
-            >
-              Discard
-            </button>
-            <button
-              type="button"
-              class="plain small"
+            <SmallButton disabled={!counts} onClick={discard}>Discard</SmallButton>
+            <Button
+              look="plain small"
               disabled={!isPossible || Object.keys(values).length === 0}
               onClick={() => review(() => session.get("plan", { profile, values }))}
             >
               Review
-            </button>
+            </Button>
           </div>
           {plan && (
             <Review plan={plan} onWritten={(now) => void end(now)} onClose={() => setPlan(null)} />
@@ -239,9 +213,7 @@ function TopicEntry({ topic, values, problems, isFiltered, fits, onEdit }: Topic
     >
       <summary>
         <b>{topic.name}</b> <span class="muted">{topic.summary}</span>{" "}
-        <span class={changed ? "count changed" : "count"}>
-          {changed ? `${changed} changed of ${topic.parameters.length}` : topic.parameters.length}
-        </span>
+        {changed > 0 && <b class="good">{changed} changed</b>}
       </summary>
       {isShown &&
         fitting.map((parameter) => (

@@ -3,9 +3,11 @@
 import type { ComponentChildren } from "preact";
 import { useEffect, useRef } from "preact/hooks";
 
+import { Button, SmallButton } from "../inputs.js";
 import { StopButton } from "../status.js";
 import { useBench, type Task } from "./setup_session.js";
 
+/** Beside what would move. */
 export function ArmSwitch({ children }: { children: ComponentChildren }) {
   const { isConnected, isArmed, arm } = useBench();
   return (
@@ -25,28 +27,17 @@ export function ArmSwitch({ children }: { children: ComponentChildren }) {
   );
 }
 
-/** Where a task stands; `hasCancel`: the worker can end it. */
-export function TaskState({ task, hasCancel }: { task: Task; hasCancel?: boolean }) {
-  const { session } = useBench();
+/** Where a task stands; without `onCancel`, nothing can end it. */
+export function TaskState({ task, onCancel }: { task: Task; onCancel?: () => void }) {
   const { isBusy, progress, problem } = task;
+  const share = progress?.share;
   return (
-    <div class="task" role="status" aria-busy={isBusy}>
+    <div role="status" aria-busy={isBusy}>
       {isBusy && (
-        <p>
-          <progress
-            aria-label="Progress"
-            {...(typeof progress?.share === "number" ? { value: progress.share } : {})}
-          />{" "}
-          <span>{progress?.text ?? "Waiting…"}</span>{" "}
-          {hasCancel && (
-            <button
-              type="button"
-              class="plain quiet small"
-              onClick={() => void session.ask({ kind: "cancel" })}
-            >
-              Cancel
-            </button>
-          )}
+        <p class="row">
+          <progress aria-label="Progress" {...(typeof share === "number" ? { value: share } : {})} />
+          <span>{progress?.text ?? "Waiting…"}</span>
+          {onCancel && <SmallButton onClick={onCancel}>Cancel</SmallButton>}
         </p>
       )}
       {problem && <p class="bad">{problem}</p>}
@@ -76,27 +67,20 @@ export function Dialog({ title, action, onAgree, onClose, children }: DialogProp
     <dialog ref={dialog} aria-labelledby="dialog-title" onClose={onClose}>
       <h2 id="dialog-title">{title}</h2>
       {children}
-      <div class="do">
-        <button type="button" class="plain" onClick={agree}>
-          {action}
-        </button>
-        <button type="button" class="plain quiet" autofocus onClick={onClose}>
-          Leave it
-        </button>
+      <div class="row">
+        <Button onClick={agree}>{action}</Button>
+        <Button look="plain quiet" onClick={onClose}>Leave it</Button>
         <StopButton onStop={stop} />
       </div>
     </dialog>
   );
 }
 
-/** The time as a part of a name. */
-const nowInName = (): string => new Date().toISOString().slice(0, 19).replaceAll(":", "-");
-
 /** Saves to a file of the visitor, such as sbgc-2026-11-29T10-00-00.capture. */
 export function download(content: BlobPart, type: string): void {
   const link = document.createElement("a");
   link.href = URL.createObjectURL(new Blob([content]));
-  link.download = `sbgc-${nowInName()}.${type}`;
+  link.download = `sbgc-${new Date().toISOString().slice(0, 19).replaceAll(":", "-")}.${type}`;
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
 }

@@ -1,47 +1,35 @@
-// The serial ports that the visitor has allowed. The types of the browser's interface lack them.
+// The serial ports that the visitor has allowed.
 
 import { useEffect, useState } from "preact/hooks";
 
-export interface Port {
-  getInfo(): { usbVendorId?: number; usbProductId?: number };
-}
-interface Ports extends EventTarget {
-  getPorts(): Promise<Port[]>;
-  requestPort(): Promise<Port>;
-}
+import { useEvents } from "./events.js";
 
-export const ports = (navigator as { serial?: Ports }).serial;
+export const ports = (navigator as Partial<Navigator>).serial;
 
 /** The serial number of the board that was last at a port. */
-const boards = new Map<Port, string>();
-export const noteBoard = (port: Port, serialNumber: string): void =>
+const boards = new Map<SerialPort, string>();
+export const noteBoard = (port: SerialPort, serialNumber: string): void =>
   void boards.set(port, serialNumber);
 
-const hex = (id: number): string => id.toString(16).padStart(4, "0");
+const hex = (id = 0): string => id.toString(16).padStart(4, "0");
 
 /** "Port 2: USB 10c4:ea60, last with board 0A1B". Adapters of one kind differ by their number. */
-export function nameOf(port: Port, index: number): string {
+export function nameOf(port: SerialPort, index: number): string {
   const { usbVendorId: vendor, usbProductId: product } = port.getInfo();
-  const kind = vendor === undefined ? "no USB" : `USB ${hex(vendor)}:${hex(product ?? 0)}`;
+  const kind = vendor === undefined ? "no USB" : `USB ${hex(vendor)}:${hex(product)}`;
   const board = boards.get(port);
   return `Port ${index + 1}: ${kind}${board ? `, last with board ${board}` : ""}`;
 }
 
 /** The allowed ports, as they come and go, and a function that looks again. */
-export function usePorts(): [Port[], () => Promise<Port[]>] {
-  const [known, setKnown] = useState<Port[]>([]);
-  const look = async (): Promise<Port[]> => {
+export function usePorts(): [SerialPort[], () => Promise<SerialPort[]>] {
+  const [known, setKnown] = useState<SerialPort[]>([]);
+  const look = async (): Promise<SerialPort[]> => {
     const now = (await ports?.getPorts()) ?? [];
     setKnown(now);
     return now;
   };
-  useEffect(() => {
-    const again = (): void => void look();
-    again();
-    for (const kind of ["connect", "disconnect"]) ports?.addEventListener(kind, again);
-    return () => {
-      for (const kind of ["connect", "disconnect"]) ports?.removeEventListener(kind, again);
-    };
-  }, []);
+  useEffect(() => void look(), []);
+  useEvents(ports, ["connect", "disconnect"], look);
   return [known, look];
 }

@@ -3,6 +3,7 @@
 import { useState } from "preact/hooks";
 
 import type { Change, Plan, Trial, Written } from "../../setup_messages.js";
+import { Button, SmallButton } from "../inputs.js";
 import { Dialog, TaskState } from "./parts.js";
 import { useBench, useTask } from "./setup_session.js";
 
@@ -18,74 +19,53 @@ export function Review({ plan, onWritten, onClose }: Props) {
   const [asks, setAsks] = useState(false);
   const task = useTask();
   const { problems, remarks } = plan;
-  const changes = [...plan.changes.filter(({ line }) => !line), ...plan.changes.filter(({ line }) => line)];
+  const changes = [...plan.changes].sort((a, b) => Number(a.line) - Number(b.line));
   const lines = changes.filter(({ line }) => line).map(({ name }) => name);
   const isWritable = changes.length > 0 && problems.length === 0 && !task.isBusy;
-  const attempt = async (): Promise<void> =>
-    setTrial(await task.run((progress) => session.get("try", {}, progress)));
-  const write = async (): Promise<void> => {
-    const written = await task.run((progress) => session.get("write", {}, progress));
-    if (!written) return;
-    setUndo(true);
-    onWritten(written);
-  };
-  const count = changes.length === 1 ? "1 parameter" : `${changes.length} parameters`;
+  const attempt = (): Promise<void> =>
+    task.run((progress) => session.get("try", {}, progress)).then(setTrial);
+  const write = (): Promise<unknown> =>
+    task.run(async (progress) => {
+      setUndo(true); // also of a part
+      onWritten(await session.get("write", {}, progress));
+    });
   return (
     <section class="review" aria-labelledby="review-title">
       <div class="head">
         <h3 id="review-title">What would be written</h3>
-        <button type="button" class="plain quiet small" onClick={onClose}>
-          Close
-        </button>
+        <SmallButton onClick={onClose}>Close</SmallButton>
       </div>
       {changes.length === 0 && <p>Nothing differs from what is on the board.</p>}
       {problems.length > 0 && (
-        <ul class="bad" aria-label="Problems" role="alert">
+        <ul class="bad" role="alert">
           {problems.map(([name, sentence]) => (
             <li key={`${name} ${sentence}`}>
-              {name && <code>{name}</code>} {sentence}
+              <b>{name}</b> {sentence}
             </li>
           ))}
         </ul>
       )}
-      {remarks.length > 0 && (
-        <ul class="muted" aria-label="Remarks">
-          {remarks.map((one) => (
-            <li key={one}>{one}</li>
-          ))}
-        </ul>
-      )}
+      <Sentences of={remarks} />
       {changes.length > 0 && <Differences changes={changes} />}
       {lines.length > 0 && (
         <p class="warn">
-          {lines.join(", ")}: this changes the line to this page, so it is written last; the page
+          {lines.join(", ")}: this changes the line to this page, so it is written last. The page
           may have to connect again.
         </p>
       )}
-      <div class="do">
-        <button
-          type="button"
-          class="plain quiet"
-          disabled={!isWritable}
-          onClick={() => void attempt()}
-        >
+      <div class="row">
+        <Button look="plain quiet" disabled={!isWritable} onClick={attempt}>
           Try on the emulated board
-        </button>
-        <button type="button" class="plain" disabled={!isWritable} onClick={() => setAsks(true)}>
-          Write
-        </button>
+        </Button>
+        <Button disabled={!isWritable} onClick={() => setAsks(true)}>Write</Button>
       </div>
       <TaskState task={task} />
       {trial && (
-        <div class="trial-result" role="status">
+        <div class="fault-columns" role="status">
           {(["before", "after"] as const).map((when) => (
             <div key={when}>
               <h3>{when === "before" ? "As it is" : "With the changes"}</h3>
-              <ul>
-                {trial[when].map((one) => (
-                  <li key={one}>{one}</li>
-                ))}
-              </ul>
+              <Sentences of={trial[when]} />
               {trial[when].length === 0 && <p class="good">Nothing is wrong.</p>}
             </div>
           ))}
@@ -93,7 +73,7 @@ export function Review({ plan, onWritten, onClose }: Props) {
       )}
       {asks && (
         <Dialog
-          title={`Write ${count}?`}
+          title={changes.length === 1 ? "Write 1 parameter?" : `Write ${changes.length} parameters?`}
           action="Write"
           onAgree={() => void write()}
           onClose={() => setAsks(false)}
@@ -109,8 +89,16 @@ export function Review({ plan, onWritten, onClose }: Props) {
   );
 }
 
+const Sentences = ({ of }: { of: string[] }) => (
+  <ul>
+    {of.map((one) => (
+      <li key={one}>{one}</li>
+    ))}
+  </ul>
+);
+
 const Differences = ({ changes }: { changes: Change[] }) => (
-  <div class="wide-table" tabIndex={0} role="group" aria-label="Differences">
+  <div class="differences" tabIndex={0} role="group" aria-label="Differences">
     <table>
       <thead>
         <tr>
@@ -126,9 +114,7 @@ const Differences = ({ changes }: { changes: Change[] }) => (
             <th scope="row">{name}</th>
             <td>{profile || "all"}</td>
             <td>{before}</td>
-            <td>
-              <b>{after}</b>
-            </td>
+            <td>{after}</td>
           </tr>
         ))}
       </tbody>

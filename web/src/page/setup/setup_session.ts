@@ -7,11 +7,10 @@ import type * as setup from "../../setup_messages.js";
 import type { Axes } from "../../worker_messages.js";
 import { Session, type Progress, type Question } from "../session.js";
 
-/** What `done` brings. */
+/** What `done` brings, where the page looks at it. */
 interface Results {
   connect: setup.Connected;
-  disconnect: void;
-  record: Uint8Array<ArrayBuffer> | undefined;
+  record: Blob | null;
   parameters: setup.Read;
   profile: setup.Topic[];
   plan: setup.Plan;
@@ -25,7 +24,6 @@ interface Results {
   calibrate: void;
   tune: void;
   bode: setup.Response;
-  cancel: void;
 }
 type Asked<K extends keyof Results> = Omit<Question<Extract<setup.Request, { kind: K }>>, "kind">;
 type OnProgress = (progress: Progress) => void;

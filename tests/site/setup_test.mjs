@@ -1,0 +1,287 @@
+// Tests of the page that sets up a real gimbal, in Chromium: an emulated board behind the real bridge.
+
+import assert from "node:assert/strict";
+import { spawn, spawnSync } from "node:child_process";
+import fs from "node:fs";
+import { createRequire } from "node:module";
+import os from "node:os";
+import path from "node:path";
+import { after, before, test } from "node:test";
+
+import { launch, sbgc, serve, site } from "./support.mjs";
+
+const token = "token-of-the-test";
+let browser;
+let server;
+let board;
+let bridge;
+
+/** Starts the command, and returns it with the address that it prints. */
+async function start(args, address) {
+  const child = spawn(sbgc, args, { env: { ...process.env, SBGC_TOKEN: token } });
+  let said = "";
+  const found = await new Promise((resolve, reject) => {
+    const read = (text) => {
+      said += text;
+      const match = address.exec(said);
+      if (match) resolve(match[0]);
+    };
+    child.stdout.on("data", read);
+    child.stderr.on("data", read);
+    child.on("exit", () => reject(new Error(said)));
+  });
+  return { address: found, end: () => child.kill() };
+}
+
+before(async () => {
+  browser = await launch(["--use-angle=swiftshader", "--enable-unsafe-swiftshader"]);
+  server = await serve();
+  board = await start(["emulate", "--tcp", "0", "--calibration-time", "10"], /tcp:\S+:\d+/);
+  const origin = server.address.replace(/\/$/, "");
+  bridge = await start(["bridge", board.address, "--ws", "0", "--origin", origin], /ws:\S+:\d+/);
+});
+after(async () => {
+  await browser.close();
+  server.close();
+  bridge.end();
+  board.end();
+});
+
+/** Records what the page tells its worker. */
+const spy = () => {
+  globalThis.told = [];
+  const post = Worker.prototype.postMessage;
+  Worker.prototype.postMessage = function (message) {
+    globalThis.told.push(message);
+    return post.call(this, message);
+  };
+};
+const told = (page, ...kinds) =>
+  page.evaluate((some) => globalThis.told.filter(({ kind }) => some.includes(kind)), kinds);
+const button = (page, name) => page.getByRole("button", { name, exact: true });
+const view = (page, name) => page.getByRole("radio", { name }).check();
+const arm = (page) => page.getByRole("switch", { name: "Arm motion" }).and(page.locator(":visible")).first();
+const outcome = (page, text) => page.locator(".outcome", { hasText: text }).waitFor();
+
+/** Opens the page, runs `work(page)`, and fails if the browser has complained. */
+async function open(work, { hash = "", look = {}, prepare } = {}) {
+  const context = await browser.newContext({ reducedMotion: "reduce", ...look });
+  const page = await context.newPage();
+  const problems = [];
+  // Software WebGL reports that reading pixels is slow.
+  const isOurs = (message) => ["error", "warning"].includes(message.type()) && !message.text().includes("GL Driver");
+  page.on("console", (message) => isOurs(message) && problems.push(message.text()));
+  page.on("pageerror", (error) => problems.push(String(error)));
+  await page.addInitScript(spy);
+  if (prepare) await page.addInitScript(prepare);
+  try {
+    await page.goto(`${server.address}setup.html${hash}`);
+    await page.getByRole("heading", { name: "Connect" }).waitFor();
+    await work(page);
+    assert.deepEqual(problems, []);
+  } finally {
+    await context.close();
+  }
+}
+
+/** Opens the page, and connects it to the board. */
+const connected = (work, options) =>
+  open(async (page) => {
+    await view(page, "sbgc bridge");
+    await page.getByLabel("Address").fill(bridge.address);
+    await page.getByLabel("Token").fill(token);
+    await button(page, "Connect to the bridge").click();
+    await page.getByRole("radio", { name: "Look and move" }).waitFor();
+    await work(page);
+  }, options);
+
+async function readParameters(page) {
+  await view(page, "Parameters");
+  await button(page, "Read the parameters").click();
+  await page.locator(".topic").first().waitFor({ timeout: 60_000 });
+}
+
+/** Shows one parameter; returns its field. */
+async function field(page, name) {
+  await page.getByLabel("Search the parameters").fill(name);
+  return page.locator(".parameter", { has: page.getByText(name, { exact: true }) }).locator("input, select").first();
+}
+
+/** Writes what is under review. */
+async function write(page) {
+  await page.locator(".review").getByRole("button", { name: "Write" }).click();
+  await page.getByRole("dialog").getByRole("button", { name: "Write" }).click();
+  await page.locator(".written.good").waitFor({ timeout: 60_000 });
+}
+
+const nativeValue = (name) => {
+  const { stdout, stderr } = spawnSync(sbgc, ["params", "get", name, "-p", board.address]);
+  return stdout.toString() + stderr.toString();
+};
+
+test("opening the page, with any address, sends and arms nothing; the token does not stay in it", async () => {
+  for (const hash of ["", `#token=${token}`, "#pitch=30&send=3e56005600&arm=1"]) {
+    await open(async (page) => {
+      await page.waitForTimeout(300);
+      assert.deepEqual(await page.evaluate(() => globalThis.told), []);
+      assert.ok(!page.url().includes("token"), page.url());
+      const kept = await page.evaluate(() => JSON.stringify([{ ...localStorage }, { ...sessionStorage }]));
+      assert.ok(!kept.includes("token-of"), kept);
+      if (hash.includes("token")) assert.equal(await page.getByLabel("Token").inputValue(), token);
+    }, { hash });
+  }
+});
+
+test("without Web Serial, the page says why and what helps", async () => {
+  const prepare = () => delete Navigator.prototype.serial;
+  await open(async (page) => {
+    const note = await page.locator(".note.warn:visible").innerText();
+    assert.match(note, /no Web Serial.*sbgc bridge --page/s);
+    await button(page, "Connect to the bridge").and(page.locator(":enabled")).waitFor();
+  }, { prepare });
+});
+
+test("a worker of another version makes the page load again, once, and never arms", async () => {
+  const worker = "/assets/playground/setup_worker.js";
+  const code = fs.readFileSync(path.join(site, worker), "utf8");
+  const [version] = /"[0-9a-f]{16}"/.exec(code);
+  server.changed[worker] = code.replace(version, '"0123456789abcdef"');
+  const loads = [];
+  try {
+    await open(async (page) => {
+      page.on("load", () => loads.push(page.url()));
+      await page.getByRole("alert").filter({ hasText: "although it was loaded again" }).waitFor();
+      assert.ok(await page.getByRole("button", { name: /^Connect/ }).first().isDisabled());
+    });
+  } finally {
+    delete server.changed[worker];
+  }
+  assert.ok(loads.length <= 1, String(loads));
+});
+
+test("motion is locked until it is armed; held keys turn, and let go they stop", async () => {
+  await connected(async (page) => {
+    assert.ok(await button(page, "Motors on").isDisabled());
+    await arm(page).click();
+    await button(page, "Motors on").click();
+    await outcome(page, "Motors on: done");
+    await button(page, "Arrow keys").focus();
+    await page.keyboard.down("ArrowRight");
+    await page.waitForTimeout(600);
+    await page.keyboard.up("ArrowRight");
+    const holds = (await told(page, "hold")).map(({ speeds }) => speeds);
+    assert.ok(holds.length >= 8, `${holds.length}`);
+    assert.deepEqual(holds[0], [0, 0, 20]);
+    assert.deepEqual(holds.at(-1), [0, 0, 0]);
+    await page.locator(".numbers", { hasText: /\d\.\d° right/ }).waitFor();
+    await page.keyboard.down("ArrowLeft");
+    await page.waitForTimeout(200);
+    await page.keyboard.press("Escape");
+    const before = (await told(page, "hold")).length;
+    await page.waitForTimeout(300);
+    assert.equal((await told(page, "hold")).length, before, "after a stop, what is still held turns nothing");
+    await page.keyboard.up("ArrowLeft");
+    await page.evaluate(() => {
+      Object.defineProperty(document, "hidden", { value: true });
+      document.dispatchEvent(new Event("visibilitychange"));
+    });
+    await page.locator(".status", { hasText: "motion locked" }).waitFor();
+    assert.deepEqual((await told(page, "arm")).map(({ on }) => on), [true, false]);
+  });
+});
+
+test("a parameter is edited, planned, tried, written, read by the command, and undone", async () => {
+  await connected(async (page) => {
+    await readParameters(page);
+    const p = await field(page, "axes.roll.p");
+    const old = await p.inputValue();
+    await p.fill("999");
+    await button(page, "Review").click();
+    await page.locator(".review [role=alert]").waitFor();
+    assert.ok(await page.locator(".review").getByRole("button", { name: "Write" }).isDisabled());
+    await p.fill("77");
+    await page.getByText("1 changed in profile 1", { exact: true }).waitFor();
+    await button(page, "Review").click();
+    await page.locator(".review tbody", { hasText: "axes.roll.p" }).waitFor();
+    await button(page, "Try on the emulated board").click();
+    await page.getByRole("heading", { name: "With the changes" }).waitFor({ timeout: 60_000 });
+    await button(page, "Write").click();
+    const stops = (await told(page, "stop")).length;
+    await page.keyboard.press("Escape"); // stops before it closes the dialog
+    await page.getByRole("dialog").waitFor({ state: "detached" });
+    assert.equal((await told(page, "stop")).length, stops + 1);
+    assert.equal((await told(page, "write")).length, 0);
+    await write(page);
+    assert.match(nativeValue("axes.roll.p"), /\b77\b/);
+    await button(page, "Undo the last write").click();
+    await write(page);
+    assert.equal(await p.inputValue(), old);
+    assert.doesNotMatch(nativeValue("axes.roll.p"), /\b77\b/);
+  });
+});
+
+test("a backup is saved and restored, by the page and by the command", async () => {
+  const file = path.join(fs.mkdtempSync(path.join(os.tmpdir(), "sbgc-")), "backup.json");
+  await connected(async (page) => {
+    await readParameters(page);
+    const [saved] = await Promise.all([page.waitForEvent("download"), button(page, "Save a backup").click()]);
+    assert.match(saved.suggestedFilename(), /^sbgc-[\dT-]+\.json$/);
+    await saved.saveAs(file);
+    const old = nativeValue("axes.pitch.p");
+    await (await field(page, "axes.pitch.p")).fill("66");
+    await button(page, "Review").click();
+    await write(page);
+    await page.getByLabel("Open a file").setInputFiles(file);
+    await page.locator(".review tbody", { hasText: "axes.pitch.p" }).waitFor({ timeout: 60_000 });
+    await write(page);
+    assert.equal(nativeValue("axes.pitch.p"), old);
+    const { stderr, status } = spawnSync(sbgc, ["params", "restore", file, "--yes", "-p", board.address]);
+    assert.equal(status, 0, stderr.toString());
+  });
+});
+
+test("a calibration says what to prepare, is checked, asks and is done", async () => {
+  await connected(async (page) => {
+    await view(page, "Care");
+    const card = page.locator(".topic:visible", { hasText: "gyro" }).first();
+    await card.locator("summary").click();
+    await card.getByRole("button", { name: "Check" }).click();
+    await card.locator(".good, .bad", { hasText: /./ }).waitFor();
+    await card.getByRole("button", { name: "Calibrate" }).click();
+    await page.getByRole("dialog").getByRole("button", { name: "Calibrate" }).click();
+    await card.getByText("The calibration is done.").waitFor({ timeout: 60_000 });
+  });
+});
+
+for (const colorScheme of ["light", "dark"]) {
+  for (const width of [390, 768, 1280]) {
+    test(`axe-core has nothing to say: ${colorScheme}, ${width} pixels; all fits`, async () => {
+      const look = { colorScheme, viewport: { width, height: 900 }, bypassCSP: true };
+      const check = async (page, what) => {
+        const { violations } = await page.evaluate(() => globalThis.axe.run());
+        assert.deepEqual(violations.map(({ id, nodes }) => `${what}: ${id}: ${nodes[0].html}`), []);
+        assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width, what);
+      };
+      const axe = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
+      await connected(async (page) => {
+        await page.addScriptTag({ path: axe });
+        await arm(page).click();
+        await check(page, "move");
+        await readParameters(page);
+        await (await field(page, "axes.yaw.p")).fill("9");
+        await button(page, "Review").click();
+        await page.locator(".review tbody").waitFor();
+        await check(page, "parameters");
+        await button(page, "Write").click();
+        await check(page, "dialog");
+        await button(page, "Leave it").click();
+        await view(page, "Care");
+        await page.locator(".topic:visible summary").first().click();
+        await check(page, "care");
+        await button(page, "Disconnect").click();
+        await page.getByRole("heading", { name: "Connect" }).waitFor();
+        await check(page, "connect");
+      }, { look });
+    });
+  }
+}
