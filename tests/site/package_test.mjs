@@ -6,9 +6,8 @@ import fs from "node:fs";
 import os from "node:os";
 import path from "node:path";
 import { after, before, test } from "node:test";
-import { pathToFileURL } from "node:url";
 
-import { root, sbgc, vectors } from "./support.mjs";
+import { packageIn, root, sbgc, vectors } from "./support.mjs";
 
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), "sbgc-npm-"));
 const readme = fs.readFileSync(path.join(root, "docs/28-javascript.md"), "utf8");
@@ -20,13 +19,8 @@ const programs = [...readme.matchAll(/^```js( browser)?\n(.*?)^```/gms)].map(([,
 
 let sdk;
 before(async () => {
-  // As npm installs it.
-  const installed = path.join(folder, "node_modules/sbgc");
-  fs.mkdirSync(installed, { recursive: true });
-  const [archive] = fs.readdirSync(path.join(root, "build/npm")).filter((file) => file.endsWith(".tgz"));
-  execFileSync("tar", ["xzf", path.join(root, "build/npm", archive), "-C", installed, "--strip-components=1"]);
+  sdk = await packageIn(folder);
   for (const { name, text } of programs) fs.writeFileSync(path.join(folder, name), text);
-  sdk = await import(pathToFileURL(path.join(installed, "index.js")));
 });
 after(() => fs.rmSync(folder, { recursive: true }));
 

@@ -1,5 +1,6 @@
 // The location of the site, and a browser for the tests.
 
+import { execFileSync } from "node:child_process";
 import fs from "node:fs";
 import http from "node:http";
 import { createRequire } from "node:module";
@@ -59,6 +60,15 @@ export async function loadModule() {
   const { instance } = await WebAssembly.instantiate(code, { wasi_snapshot_preview1: files });
   instance.exports._initialize();
   return instance.exports;
+}
+
+/** Installs the npm package into a folder, as npm does, and imports it. */
+export function packageIn(folder) {
+  const installed = path.join(folder, "node_modules/sbgc");
+  fs.mkdirSync(installed, { recursive: true });
+  const [archive] = fs.readdirSync(path.join(root, "build/npm")).filter((file) => file.endsWith(".tgz"));
+  execFileSync("tar", ["xzf", path.join(root, "build/npm", archive), "-C", installed, "--strip-components=1"]);
+  return import(pathToFileURL(path.join(installed, "index.js")));
 }
 
 /** Returns the search of the site as a function of the query. */

@@ -22,6 +22,8 @@
 #include "command/subcommand.hpp"
 #include "command/wording.hpp"
 #include "hosts/endpoint.hpp"
+#include "hosts/listen.hpp"
+#include "share/page_files.hpp"
 #include "share/places.hpp"
 #include "share/shared_line.hpp"
 #include "share/web_socket.hpp"
@@ -64,9 +66,12 @@ class BridgeService {
     for (const hosts::ListenAddress& at : options.web_sockets) {
       endpoints_.push_back(
           listen_web_socket(context.get_executor(), line_.ports(), at, options.access, {log, log}));
+      const std::string address = endpoints_.back()->address();
       const std::string shown = options.is_token_private ? "" : "/?token=" + options.access.token;
-      background_stdout().write(
-          printable(fmt::format("bridge: {}{}\n", endpoints_.back()->address(), shown)));
+      background_stdout().write(printable(fmt::format("bridge: {}{}\n", address, shown)));
+      if (!options.access.pages.empty()) {
+        background_stdout().write(printable(page_line(address, options)));
+      }
     }
     tick();
   }
@@ -78,6 +83,12 @@ class BridgeService {
   }
 
  private:
+  /// What follows the '#' of an address never leaves the browser.
+  static std::string page_line(const std::string& address, const BridgeOptions& options) {
+    const std::string secret = options.is_token_private ? "" : "#token=" + options.access.token;
+    return fmt::format("bridge: http{}/setup.html{}\n", address.substr(address.find(':')), secret);
+  }
+
   static void log(const std::string& text) { remark("sbgc: {}\n", text); }
 
   static void changed(const LinkChange& change) {
@@ -143,13 +154,25 @@ void take_address(const BridgeOptions& options, GimbalOptions& gimbal) {
 /// Throws CommandError if there is no place for programs, or an option for another kind of place.
 void require_places(const BridgeOptions& options, bool has_token) {
   if (options.places.empty() && options.web_sockets.empty()) {
-    throw CommandError("choose where programs connect: --tcp, --udp, --pty, --link or --ws",
+    throw CommandError("choose where programs connect: --tcp, --udp, --pty, --link, --ws or --page",
                        wrong_usage);
   }
   if (!options.web_sockets.empty()) return;
   if (has_token) throw CommandError("--token is for --ws, which is missing", wrong_usage);
   if (!options.access.origins.empty()) {
     throw CommandError("--origin is for --ws, which is missing", wrong_usage);
+  }
+}
+
+/// Throws CommandError if pages would be served to other machines, in clear text with the token.
+void require_own_machine(const BridgeOptions& options) {
+  if (options.access.pages.empty()) return;
+  for (const hosts::ListenAddress& at : options.web_sockets) {
+    if (hosts::address_of(at).is_loopback()) continue;
+    throw CommandError(
+        "--page is only for this machine: for others, put a server with TLS before the bridge, and "
+        "let --ws listen on 127.0.0.1",
+        wrong_usage);
   }
 }
 
@@ -190,6 +213,13 @@ void add_bridge(CLI::App& app, CommandContext& context) {
       ->check(origin_problem)
       ->type_name("ORIGIN")
       ->group(places_group);
+  command
+      ->add_option("--page", options.access.pages,
+                   "Also serve the reference site in this folder, with the page that sets up the "
+                   "gimbal; without --ws, on a free port of this machine")
+      ->check(page_folder_problem)
+      ->type_name("FOLDER")
+      ->group(places_group);
   command->add_flag(
       "--allow-passwords", options.allows_passwords,
       "Accept passwords, from --password-file and from programs; each opens the gimbal for all "
@@ -212,6 +242,10 @@ void add_bridge(CLI::App& app, CommandContext& context) {
       "  sbgc bridge --link /tmp/gimbal --tcp 5000 -p tcp:10.0.0.7:5000");
   command.runs([token](BridgeOptions& chosen, CommandContext& shared) {
     take_address(chosen, shared.gimbal);
+    if (!chosen.access.pages.empty() && chosen.web_sockets.empty()) {
+      chosen.web_sockets.emplace_back();
+    }
+    require_own_machine(chosen);
     require_places(chosen, token->count() != 0);
     choose_token(chosen);
     return run_bridge(chosen, shared);

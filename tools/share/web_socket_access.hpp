@@ -12,6 +12,7 @@ namespace sbgc::tools {
 struct WebSocketAccess {
   std::string token{};
   std::vector<std::string> origins{};  ///< such as "http://localhost:8000"
+  std::string pages{};  ///< a folder whose files are served as well, to pages that may connect
 
   bool allows_origin(std::string_view origin) const;
   /// True if the query of the target has "token=TOKEN", or one of the subprotocols, separated by

@@ -4,8 +4,10 @@
 #include <chrono>
 #include <functional>
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <thread>
+#include <tuple>
 #include <utility>
 
 #include <boost/asio/io_context.hpp>
@@ -17,6 +19,7 @@
 #include <boost/beast/websocket.hpp>
 
 #include "hosts/fewer_reports.hpp"
+#include "share/page_files.hpp"
 
 namespace sbgc::tools {
 
@@ -35,6 +38,7 @@ constexpr std::size_t max_strangers = 64;
 constexpr std::size_t max_message = 16384;
 constexpr std::size_t max_header = 8192;
 constexpr std::chrono::seconds handshake_time{3};
+constexpr std::chrono::seconds page_time{30};
 /// The pause after a failed accept, for example because of too many open files.
 constexpr std::chrono::milliseconds wait_after_failure{200};
 
@@ -165,7 +169,9 @@ class WebSocketServer::Impl::Session : public std::enable_shared_from_this<Sessi
   /// Accepts the request for a WebSocket, or responds why not.
   void decide() {
     const auto& request = parser_.get();
-    if (!websocket::is_upgrade(request)) return refuse(http::status::upgrade_required);
+    if (!websocket::is_upgrade(request)) {
+      return access_.pages.empty() ? refuse(http::status::upgrade_required) : serve_file();
+    }
     // A client has to wait for the response; what it sent before would be read without its frame.
     if (buffer_.size() != 0) return refuse(http::status::bad_request);
     if (request.count(http::field::origin) > 1) {
@@ -173,7 +179,7 @@ class WebSocketServer::Impl::Session : public std::enable_shared_from_this<Sessi
       return refuse(http::status::bad_request);
     }
     const auto origin = request.find(http::field::origin);
-    if (origin != request.end() && !access_.allows_origin(view(origin->value()))) {
+    if (origin != request.end() && !is_allowed(view(origin->value()))) {
       events_.refused(name_ + " refused: pages of '" + printable(view(origin->value())) +
                       "' are not allowed; see --origin");
       return refuse(http::status::forbidden);
@@ -210,6 +216,38 @@ class WebSocketServer::Impl::Session : public std::enable_shared_from_this<Sessi
     });
   }
 
+  /// True for pages of the allowed sites, and for those that this server has served.
+  bool is_allowed(std::string_view origin) const {
+    const std::string host(view(parser_.get()[http::field::host]));
+    return access_.allows_origin(origin) ||
+           (!access_.pages.empty() && is_loopback_host(host) && origin == "http://" + host);
+  }
+
+  /// Sends a file of the pages.
+  void serve_file() {
+    const auto& request = parser_.get();
+    if (!is_loopback_host(view(request[http::field::host]))) return refuse(http::status::forbidden);
+    if (request.method() != http::verb::get) return refuse(http::status::method_not_allowed);
+    const auto file = page_file(access_.pages, view(request.target()));
+    if (!file) return refuse(http::status::not_found);
+    beast::error_code error;
+    http::file_body::value_type body;
+    body.open(file->path.c_str(), beast::file_mode::scan, error);
+    if (error) return refuse(http::status::not_found);
+    file_.emplace(std::piecewise_construct, std::make_tuple(std::move(body)),
+                  std::make_tuple(http::status::ok, 11U));
+    file_->set(http::field::content_type, file->type);
+    file_->set(http::field::cache_control, "no-cache");
+    file_->set("X-Content-Type-Options", "nosniff");
+    file_->set("Content-Security-Policy", "frame-ancestors 'none'");
+    file_->set(http::field::connection, "close");
+    file_->prepare_payload();
+    stream_.next_layer().expires_after(page_time);
+    http::async_write(
+        stream_.next_layer(), *file_,
+        [self = shared_from_this()](beast::error_code, std::size_t) { self->finish(); });
+  }
+
   void refuse(http::status status) {
     response_ = {status, 11};
     response_.set(http::field::connection, "close");
@@ -242,6 +280,7 @@ class WebSocketServer::Impl::Session : public std::enable_shared_from_this<Sessi
   bool is_finished_ = false;
   http::request_parser<http::empty_body> parser_;
   http::response<http::empty_body> response_;
+  std::optional<http::response<http::file_body>> file_{};
   beast::flat_buffer buffer_{max_message + max_header};
   Bytes output_;
 };

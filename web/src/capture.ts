@@ -52,7 +52,13 @@ export class Capture {
   }
 
   /** The content of the file. */
-  blob(): Blob {
-    return new Blob(this.#parts as Uint8Array<ArrayBuffer>[], { type: "application/octet-stream" });
+  bytes(): Uint8Array {
+    const all = new Uint8Array(this.#parts.reduce((size, part) => size + part.length, 0));
+    let at = 0;
+    for (const part of this.#parts) {
+      all.set(part, at);
+      at += part.length;
+    }
+    return all;
   }
 }

@@ -43,7 +43,7 @@ class Connection {
     setup: Wasm,
     line: LineSettings | null,
     ready: () => void,
-    failed: (text: string) => void,
+    readonly failed: (text: string) => void,
     readonly observe: (from: Direction, bytes: Uint8Array) => void,
     readonly lost: (reason: string) => void,
   ) {
@@ -60,13 +60,14 @@ class Connection {
     this.client = new SetupClient(setup, handlers, line === null);
   }
 
-  /** Opens a line and identifies the board. */
+  /** Opens a line and identifies the board; calls `begun` before, with what can be closed. */
   static async open(
     setup: Wasm,
     place: Place,
     line: LineSettings | null,
     observe: (from: Direction, bytes: Uint8Array) => void,
     lost: (reason: string) => void,
+    begun: (made: Connection) => void,
   ): Promise<Connection> {
     const searched = place.kind === "serial" ? line : usualLine; // a bridge knows the settings
     let fail = (_: Error): void => {};
@@ -77,6 +78,8 @@ class Connection {
     });
     const failed = (text: string): void => fail(new Error(text));
     const made = new Connection(setup, searched, identified, failed, observe, lost);
+    begun(made);
+    ready.catch(() => {}); // it may fail before it is waited for
     made.#end = await lines.open(place, made.#settings, {
       received: (bytes) => {
         observe("board", bytes);
@@ -142,12 +145,14 @@ class Connection {
     this.#isOver = true;
     clearTimeout(this.#timer);
     this.client.close("the line has been closed");
+    this.failed("the line has been closed");
     await this.#end?.close();
   }
 }
 
 class Workshop {
   #connection: Connection | null = null;
+  #opening: Connection | null = null;
   #place: Place | null = null;
   #line: LineSettings | null = null;
   #serialNumber = "";
@@ -273,7 +278,7 @@ class Workshop {
   }
 
   async #connect(place: Place, line: LineSettings | null): Promise<Connected> {
-    if (this.#connection) throw new Error("a gimbal is connected already");
+    if (this.#connection || this.#opening) throw new Error("a gimbal is connected already");
     await this.#lock(place);
     try {
       return await this.#open(place, line);
@@ -295,30 +300,35 @@ class Workshop {
     });
   }
 
-  async #open(place: Place, line: LineSettings | null): Promise<Connected> {
+  async #open(place: Place, wanted: LineSettings | null): Promise<Connected> {
     say({ kind: "link", state: "searching", text: "looking for the board" });
     let opened: Connection | undefined;
     try {
       opened = await Connection.open(
         this.setup,
         place,
-        line,
+        wanted,
         (from, bytes) => this.#observe(from, bytes),
         (reason) => opened !== undefined && opened === this.#connection && void this.#find(reason),
+        (made) => void (this.#opening = made),
       );
     } catch (error) {
       say({ kind: "link", state: "closed", text: sentence(error) });
       throw error;
+    } finally {
+      this.#opening = null;
     }
     this.#connection = opened;
     this.#place = place;
     this.#line = opened.settings;
     const { serialNumber, lacks } = opened.client.board;
-    const { identity } = opened;
+    const { identity, settings } = opened;
+    const { baudRate, parity } = settings;
+    const line = `${baudRate} baud, ${parity === "none" ? "no parity" : "even parity"}`;
     this.#serialNumber = serialNumber;
     say({ kind: "identity", text: identity });
-    say({ kind: "link", state: "connected", text: identity });
-    return { identity, serialNumber, line: place.kind === "serial" ? opened.settings : null, lacks };
+    say({ kind: "link", state: "connected", text: place.kind === "serial" ? line : place.url });
+    return { identity, serialNumber, line: place.kind === "serial" ? settings : null, lacks };
   }
 
   /** A line that was lost is looked for until it is there again; it is not armed then. */
@@ -353,15 +363,16 @@ class Workshop {
       await stopped.catch((error: unknown) => say({ kind: "notice", text: sentence(error) }));
     }
     this.#isArmed = false;
+    await this.#opening?.close();
     await connection?.close();
     this.#release();
     say({ kind: "link", state: "closed", text: "" });
   }
 
-  #record(on: boolean): Blob | null {
+  #record(on: boolean): Uint8Array | undefined {
     const made = this.#capture;
     this.#capture = on ? new Capture(now()) : null;
-    return on ? null : (made?.blob() ?? null);
+    return on ? undefined : made?.bytes();
   }
 
   async #try(): Promise<unknown> {

@@ -1,0 +1,239 @@
+// The line of the page that sets up a gimbal: it is found, lost and found again, and what moves ends when
+// page, cable or bridge do. The gimbal is `sbgc emulate`; another client watches its camera.
+
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import fs from "node:fs";
+import net from "node:net";
+import os from "node:os";
+import path from "node:path";
+import { Duplex } from "node:stream";
+import { after, before, test } from "node:test";
+
+import { cables, gimbal, giveSerial, start } from "./serial.mjs";
+import { launch, packageIn, sbgc, serve, site } from "./support.mjs";
+
+/** Kills during motion; the night runs more. */
+const kills = Number(process.env.SBGC_KILLS ?? 8);
+const speed = 20;
+/** CMD_CONTROL in a frame of the host. */
+const isControl = (bytes) => bytes[1] === 67;
+
+const folder = fs.mkdtempSync(path.join(os.tmpdir(), "sbgc-setup-"));
+let browser;
+let server;
+let board;
+let camera;
+const wait = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
+
+before(async () => {
+  browser = await launch();
+  server = await serve();
+  board = await gimbal();
+  const sdk = await packageIn(folder);
+  camera = await sdk.connect(Duplex.toWeb(net.connect(board.port, "127.0.0.1")));
+});
+after(async () => {
+  await browser?.close();
+  server?.close();
+  board?.stop();
+  fs.rmSync(folder, { recursive: true });
+});
+
+const button = (page, name) => page.getByRole("button", { name, exact: true });
+const connected = (page) => page.getByText("firmware 2.59").first().waitFor({ timeout: 30_000 });
+const until = async (holds, what) => {
+  for (let i = 0; i < 200; ++i) {
+    if (holds()) return;
+    await wait(50);
+  }
+  assert.fail(what);
+};
+const yaw = () => camera.view.camera[2];
+const turns = () => Math.abs(camera.view.speeds[2]) > speed / 4;
+
+async function withSerial(line, work) {
+  const ends = await cables(board, line);
+  const context = await browser.newContext();
+  const page = await context.newPage();
+  try {
+    await giveSerial(context, server, ends.url);
+    await page.goto(`${server.address}setup.html`);
+    await work(page, ends.cable, context);
+  } finally {
+    await context.close();
+    ends.close();
+  }
+}
+
+async function connect(page) {
+  await button(page, "Connect by USB or serial").click();
+  await connected(page);
+}
+
+async function arm(page) {
+  await page.getByRole("switch", { name: "Arm motion" }).or(button(page, "Arm motion")).first().click();
+  await button(page, "Motors on").click();
+  await until(() => camera.view.motorsOn, "the motors are on");
+}
+
+/** Turns right as long as the key is held. */
+async function turn(page) {
+  await button(page, "Yaw right").focus();
+  await page.keyboard.down("ArrowRight");
+  await until(turns, "the camera turns");
+}
+
+/** Fails if the camera still turns after the bound of a motion, and some time to brake. */
+async function brakes() {
+  const begin = yaw();
+  await wait(1500);
+  const rest = yaw();
+  await wait(500);
+  assert.ok(Math.abs(yaw() - rest) < 0.5, `it still turns: ${rest}, ${yaw()}`);
+  // 0.5 s of turning, and what the machine takes to notice.
+  assert.ok(Math.abs(rest - begin) < 1.5 * speed, `${begin} to ${rest}`);
+}
+
+test("an unusual line is found, on the chosen one of two equal adapters", () =>
+  withSerial({ baudRate: 38400, parity: "even" }, async (page, cable) => {
+    await connect(page);
+    const [last] = cable.opened.slice(-1);
+    assert.deepEqual(last, { index: "1", baudRate: 38400, parity: "even" });
+    await page.getByText("38400").first().waitFor();
+  }));
+
+test("a cable that is pulled is told, and found again; motion is locked then", () =>
+  withSerial({}, async (page, cable) => {
+    await connect(page);
+    await arm(page);
+    cable.pull();
+    await page.getByText("the port is gone").first().waitFor();
+    cable.plug();
+    await connected(page);
+    await page.getByText("motion locked").waitFor();
+    assert.ok(await button(page, "Motors on").isDisabled());
+  }));
+
+test("a second tab says who holds the port", () =>
+  withSerial({}, async (page, _, context) => {
+    await connect(page);
+    const other = await context.newPage();
+    await other.goto(`${server.address}setup.html`);
+    await button(other, "Connect by USB or serial").click();
+    await other.getByText("another tab").first().waitFor();
+  }));
+
+test("a stop overtakes what waits: at most the frame in the port is before it", () =>
+  withSerial({}, async (page, cable) => {
+    await connect(page);
+    await arm(page);
+    await turn(page);
+    await button(page, "Parameters").click();
+    await button(page, "Read the parameters").click();
+    await page.keyboard.up("ArrowRight");
+    const times = [];
+    for (let i = 0; i < 5; ++i) {
+      await wait(50);
+      const before = cable.writes.length;
+      const pressed = performance.now();
+      await page.keyboard.press("Escape");
+      await until(() => cable.writes.slice(before).some(({ bytes }) => isControl(bytes)), "a stop is sent");
+      const sent = cable.writes.slice(before).find(({ bytes }) => isControl(bytes));
+      times.push(sent.at - pressed);
+    }
+    // On a busy machine one may be late, but not the fastest of all.
+    assert.ok(Math.min(...times) < 50, `${times.map((ms) => ms.toFixed(0))} ms`);
+  }));
+
+test("a page that is hidden goes on, and is locked", () =>
+  withSerial({}, async (page, _, context) => {
+    await connect(page);
+    await arm(page);
+    await turn(page);
+    const front = await context.newPage();
+    await front.bringToFront();
+    await page.evaluate(() => {
+      Object.defineProperty(document, "visibilityState", { value: "hidden" });
+      Object.defineProperty(document, "hidden", { value: true });
+      document.dispatchEvent(new Event("visibilitychange"));
+    });
+    await brakes();
+    await page.getByText("motion locked").waitFor();
+  }));
+
+const ways = {
+  page: ({ context }) => context.close(),
+  worker: ({ page }) => page.evaluate(() => location.replace("about:blank")),
+  cable: ({ cable }) => cable.pull(),
+  crash: async ({ page }) => page.goto("chrome://crash").catch(() => {}),
+};
+for (let i = 0; i < kills; ++i) {
+  const [name, kill] = Object.entries(ways)[i % Object.keys(ways).length];
+  const isMove = i % 8 >= 4;
+  test(`kill ${i}: ${name} during ${isMove ? "a move" : "a turn"}: the camera brakes`, () =>
+    withSerial({}, async (page, cable, context) => {
+      await connect(page);
+      await arm(page);
+      if (isMove) {
+        const there = yaw() > 0 ? -170 : 170;
+        await page.getByRole("spinbutton", { name: "Yaw" }).first().fill(String(there));
+        await button(page, "Move").first().click();
+        await until(turns, "the camera turns");
+      } else {
+        await turn(page);
+      }
+      await kill({ page, cable, context });
+      await brakes();
+    }));
+}
+
+test("a bridge that serves the page is killed during motion: the camera brakes", async () => {
+  const address = `tcp:127.0.0.1:${board.port}`;
+  const bridge = await start(["bridge", address, "--page", site], /(http:.*token=.*)/);
+  const context = await browser.newContext();
+  const page = await context.newPage();
+  try {
+    await page.goto(bridge.found[1]);
+    await button(page, "Connect to the bridge").click();
+    await connected(page);
+    assert.ok(!page.url().includes("token"), page.url());
+    await arm(page);
+    await turn(page);
+    bridge.child.kill("SIGKILL");
+    await brakes();
+    await page.getByText("motion locked").waitFor();
+  } finally {
+    await context.close();
+    bridge.stop();
+  }
+});
+
+test("the bridge serves its pages to this machine, and nothing else", async () => {
+  const address = `tcp:127.0.0.1:${board.port}`;
+  const bridge = await start(["bridge", address, "--page", site], /(http:[^#]*)setup.html/);
+  try {
+    const status = async (name, headers = {}) => (await fetch(bridge.found[1] + name, { headers })).status;
+    assert.equal(await status("setup.html"), 200);
+    assert.equal(await status("assets/playground/setup.wasm"), 200);
+    assert.equal(await status("%2e%2e/CMakeCache.txt"), 404);
+    assert.equal(await status(".git"), 404);
+    const refused = spawnSync(sbgc, ["bridge", address, "--page", site, "--ws", "0.0.0.0:0"], { encoding: "utf8" });
+    assert.match(refused.stderr, /only for this machine/);
+  } finally {
+    bridge.stop();
+  }
+});
+
+test("a recording is what `sbgc decode` reads", () =>
+  withSerial({}, async (page) => {
+    await connect(page);
+    await button(page, "Record").click();
+    await wait(500);
+    const [download] = await Promise.all([page.waitForEvent("download"), button(page, /record/i).first().click()]);
+    const file = path.join(folder, "one.capture");
+    await download.saveAs(file);
+    const { stdout, status } = spawnSync(sbgc, ["decode", file], { encoding: "utf8" });
+    assert.equal(status, 0, stdout);
+    assert.match(stdout, /CMD_REALTIME_DATA_4/);
+  }));
