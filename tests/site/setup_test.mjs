@@ -1,50 +1,37 @@
 // Tests of the page that sets up a real gimbal, in Chromium: an emulated board behind the real bridge.
 
 import assert from "node:assert/strict";
-import { spawn, spawnSync } from "node:child_process";
+import { spawnSync } from "node:child_process";
 import fs from "node:fs";
 import { createRequire } from "node:module";
 import os from "node:os";
 import path from "node:path";
 import { after, before, test } from "node:test";
 
+import { gimbal, start } from "./serial.mjs";
 import { launch, sbgc, serve, site } from "./support.mjs";
 
-const token = "token-of-the-test";
+const token = (process.env.SBGC_TOKEN = "token-of-the-test");
 let browser;
 let server;
 let board;
 let bridge;
-
-/** Starts the command, and returns it with the address that it prints. */
-async function start(args, address) {
-  const child = spawn(sbgc, args, { env: { ...process.env, SBGC_TOKEN: token } });
-  let said = "";
-  const found = await new Promise((resolve, reject) => {
-    const read = (text) => {
-      said += text;
-      const match = address.exec(said);
-      if (match) resolve(match[0]);
-    };
-    child.stdout.on("data", read);
-    child.stderr.on("data", read);
-    child.on("exit", () => reject(new Error(said)));
-  });
-  return { address: found, end: () => child.kill() };
-}
+/** The same board for the command. */
+let native;
 
 before(async () => {
   browser = await launch(["--use-angle=swiftshader", "--enable-unsafe-swiftshader"]);
   server = await serve();
-  board = await start(["emulate", "--tcp", "0", "--calibration-time", "10"], /tcp:\S+:\d+/);
+  board = await gimbal("--calibration-time", "10");
+  native = ["-p", `tcp:127.0.0.1:${board.port}`];
   const origin = server.address.replace(/\/$/, "");
-  bridge = await start(["bridge", board.address, "--ws", "0", "--origin", origin], /ws:\S+:\d+/);
+  bridge = await start(["bridge", native[1], "--ws", "0", "--origin", origin], /ws:\S+:\d+/);
 });
 after(async () => {
-  await browser.close();
-  server.close();
-  bridge.end();
-  board.end();
+  await browser?.close();
+  server?.close();
+  bridge?.stop();
+  board?.stop();
 });
 
 /** Records what the page tells its worker. */
@@ -88,7 +75,7 @@ async function open(work, { hash = "", look = {}, prepare } = {}) {
 const connected = (work, options) =>
   open(async (page) => {
     await view(page, "sbgc bridge");
-    await page.getByLabel("Address").fill(bridge.address);
+    await page.getByLabel("Address").fill(bridge.found[0]);
     await page.getByLabel("Token").fill(token);
     await button(page, "Connect to the bridge").click();
     await page.getByRole("radio", { name: "Look and move" }).waitFor();
@@ -115,7 +102,7 @@ async function write(page) {
 }
 
 const nativeValue = (name) => {
-  const { stdout, stderr } = spawnSync(sbgc, ["params", "get", name, "-p", board.address]);
+  const { stdout, stderr } = spawnSync(sbgc, ["params", "get", name, ...native]);
   return stdout.toString() + stderr.toString();
 };
 
@@ -235,7 +222,7 @@ test("a backup is saved and restored, by the page and by the command", async () 
     await page.locator(".review tbody", { hasText: "axes.pitch.p" }).waitFor({ timeout: 60_000 });
     await write(page);
     assert.equal(nativeValue("axes.pitch.p"), old);
-    const { stderr, status } = spawnSync(sbgc, ["params", "restore", file, "--yes", "-p", board.address]);
+    const { stderr, status } = spawnSync(sbgc, ["params", "restore", file, "--yes", ...native]);
     assert.equal(status, 0, stderr.toString());
   });
 });

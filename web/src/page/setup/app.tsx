@@ -143,7 +143,7 @@ export function App({ session, token }: { session: Setup; token: string }) {
         {!board && <ConnectPanel token={token} isReady={isReady} onConnected={connected} />}
         {board && (
           <>
-            <Lacks sentences={board.lacks} />
+            <Facts board={board} />
             <Choice class="views" legend="View" options={views} value={shown} onChange={setShown} />
             <div hidden={shown !== "move"}>
               <div class="bench">
@@ -172,17 +172,27 @@ export function App({ session, token }: { session: Setup; token: string }) {
   );
 }
 
-const Lacks = ({ sentences }: { sentences: string[] }) =>
-  sentences.length > 0 ? (
-    <details class="says">
-      <summary>What this board lacks</summary>
-      <ul>
-        {sentences.map((one) => (
-          <li key={one}>{one}</li>
-        ))}
-      </ul>
-    </details>
-  ) : null;
+function Facts({ board: { serialNumber, line, lacks } }: { board: Connected }) {
+  const facts = [
+    line && `${line.baudRate} baud, parity ${line.parity}`,
+    serialNumber && `serial number ${serialNumber}`,
+  ];
+  return (
+    <div class="row says">
+      <span>{facts.filter(Boolean).join(", ")}</span>
+      {lacks.length > 0 && (
+        <details>
+          <summary>What this board lacks</summary>
+          <ul>
+            {lacks.map((one) => (
+              <li key={one}>{one}</li>
+            ))}
+          </ul>
+        </details>
+      )}
+    </div>
+  );
+}
 
 function Recorder() {
   const { session } = useBench();
