@@ -89,7 +89,7 @@ export const Select = ({ label, options, value, onChange }: SelectProps) => (
 );
 
 /** How a button stands out. */
-type Look = "plain" | "plain quiet" | "plain small" | "plain quiet small" | "usual";
+type Look = "plain" | "plain quiet" | "plain small" | "plain quiet small" | "usual" | "armed";
 
 interface ButtonProps {
   look?: Look;

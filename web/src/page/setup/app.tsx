@@ -115,6 +115,7 @@ export function App({ session, token }: { session: Setup; token: string }) {
     isReady: isConnected,
     run: ({ text }, label) => void run(text, label),
   };
+  const isBad = isConnected ? outcome.isBad : link.state === "lost";
   const bench: Bench = { session, isConnected, isArmed, arm, stop, canUndo, setUndo };
   return (
     <DeskContext.Provider value={desk}>
@@ -126,24 +127,24 @@ export function App({ session, token }: { session: Setup; token: string }) {
           </div>
         )}
         <Status title={board?.identity ?? "No gimbal is connected"} onStop={stop}>
-          <span class={isArmed ? "armed" : "muted"}>{isArmed ? "armed" : "motion locked"}</span>
-          {isArmed && <SmallButton onClick={() => disarm.current()}>Lock</SmallButton>}
+          {isArmed ? (
+            <Button look="armed" onClick={() => disarm.current()}>Armed: lock</Button>
+          ) : (
+            <span class="muted">motion locked</span>
+          )}
           {board && <Recorder />}
           {board && (
             <SmallButton onClick={() => session.ask({ kind: "disconnect" })}>Disconnect</SmallButton>
           )}
         </Status>
-        <p class={link.state === "lost" ? "outcome bad" : "outcome"} role="status">
-          {link.text}
+        <p class={isBad ? "outcome bad" : "outcome"} role="status">
+          {isConnected ? outcome.text || notice : link.text}
         </p>
         {!board && <ConnectPanel token={token} isReady={isReady} onConnected={connected} />}
         {board && (
           <>
             <Lacks sentences={board.lacks} />
             <Choice class="views" legend="View" options={views} value={shown} onChange={setShown} />
-            <p class={outcome.isBad ? "outcome bad" : "outcome"} role="status">
-              {outcome.text || notice}
-            </p>
             <div hidden={shown !== "move"}>
               <div class="bench">
                 <div class="stage">

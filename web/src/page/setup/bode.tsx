@@ -71,7 +71,7 @@ function Curves({ response }: { response: Response }) {
     curves.forEach(({ key }, n) => plots[n]?.draw([response.frequency, response[key]])),
   );
   return (
-    <div class="charts" ref={place}>
+    <div class="charts stacked" ref={place}>
       {problem && <p class="bad">{problem}</p>}
       {curves.map(({ key, title }) => (
         <figure key={key}>

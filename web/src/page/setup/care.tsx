@@ -56,7 +56,7 @@ function CalibrationCard({ calibration }: { calibration: Calibration }) {
   const check = (): Promise<unknown> =>
     task.run(async (progress) => {
       const { problem } = await session.get("check", asked, progress);
-      setSaid({ text: problem || "The gimbal is ready.", isGood: !problem });
+      setSaid({ text: problem ? `Not ready: ${problem}` : "The gimbal is ready.", isGood: !problem });
     });
   const calibrate = (): Promise<unknown> =>
     task.run(async (progress) => {
@@ -67,7 +67,7 @@ function CalibrationCard({ calibration }: { calibration: Calibration }) {
   return (
     <details class="topic">
       <summary>
-        <b>{name}</b> <span class="muted">{summary}</span>
+        <b>{summary.replace(/\.$/, "")}</b> <span class="muted">{name}</span>
       </summary>
       <ol>
         <li>

@@ -45,6 +45,7 @@ export function ConnectPanel({ token, isReady, onConnected }: Props) {
       ) : (
         <BridgeWay token={token} isPossible={isPossible} connect={connect} />
       )}
+      <p class="says">The page finds the settings of the line, and asks the board what it is.</p>
       <TaskState task={task} onCancel={() => void session.ask({ kind: "disconnect" })} />
     </section>
   );

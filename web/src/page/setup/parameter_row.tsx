@@ -12,10 +12,12 @@ const isNumber = (text: string): boolean => text.trim() !== "" && Number.isFinit
 const whole = (text: string, unit: string): string =>
   unit && isNumber(text) ? `${text.trim()} ${unit}` : text;
 
+/** Without the noise of floating point. */
+const short = (value: number): string => String(Number(value.toPrecision(7)));
 function rangeOf({ least, most }: Parameter): string {
-  if (least !== null && most !== null) return `${least} to ${most}`;
-  if (least !== null) return `from ${least}`;
-  return most === null ? "" : `to ${most}`;
+  if (least !== null && most !== null) return `${short(least)} to ${short(most)}`;
+  if (least !== null) return `from ${short(least)}`;
+  return most === null ? "" : `to ${short(most)}`;
 }
 
 function isOutside({ kind, least, most, unit }: Parameter, text: string): boolean {
@@ -37,7 +39,8 @@ export function ParameterRow({ parameter, edit, problem, onEdit }: Props) {
   const { path, summary, text, general, default: usual } = parameter;
   const change = (now: string): void => onEdit(now === text ? undefined : now);
   const range = rangeOf(parameter);
-  const wrong = problem ?? (isOutside(parameter, edit ?? text) ? `Possible: ${range}` : "");
+  const isWrong = edit !== undefined && isOutside(parameter, edit);
+  const wrong = problem ?? (isWrong ? `Possible: ${range}` : "");
   return (
     <div class={edit === undefined ? "parameter" : "parameter changed"}>
       <div>

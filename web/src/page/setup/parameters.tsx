@@ -137,7 +137,7 @@ export function ParametersPanel() {
       )}
       {read && (
         <>
-          <div class="row filter">
+          <div class="row">
             <label>
               Profile{" "}
               <Select
@@ -155,17 +155,6 @@ export function ParametersPanel() {
               onInput={(event) => setNeedle(event.currentTarget.value)}
             />
             <Check label="Only changed" checked={onlyChanged} onChange={setOnlyChanged} />
-            <span class="muted" role="status">
-              {counts || "Nothing is changed"}
-            </span>
-            <SmallButton disabled={!counts} onClick={discard}>Discard</SmallButton>
-            <Button
-              look="plain small"
-              disabled={!isPossible || Object.keys(values).length === 0}
-              onClick={() => review(() => session.get("plan", { profile, values }))}
-            >
-              Review
-            </Button>
           </div>
           {plan && (
             <Review plan={plan} onWritten={(now) => void end(now)} onClose={() => setPlan(null)} />
@@ -183,6 +172,17 @@ export function ParametersPanel() {
               onEdit={edit}
             />
           ))}
+          <div class="row changes">
+            <span role="status">{counts || "Nothing is changed"}</span>
+            <SmallButton disabled={!counts} onClick={discard}>Discard</SmallButton>
+            <Button
+              look="plain small"
+              disabled={!isPossible || Object.keys(values).length === 0}
+              onClick={() => review(() => session.get("plan", { profile, values }))}
+            >
+              Review
+            </Button>
+          </div>
         </>
       )}
     </section>
@@ -212,7 +212,7 @@ function TopicEntry({ topic, values, problems, isFiltered, fits, onEdit }: Topic
       onToggle={(event) => !isFiltered && setOpen(event.currentTarget.open)}
     >
       <summary>
-        <b>{topic.name}</b> <span class="muted">{topic.summary}</span>{" "}
+        <b>{topic.summary.replace(/\.$/, "")}</b> <span class="muted">{topic.name}</span>{" "}
         {changed > 0 && <b class="good">{changed} changed</b>}
       </summary>
       {isShown &&

@@ -1,6 +1,6 @@
 // What would be written: differences and problems; tried on the emulated board, and written.
 
-import { useState } from "preact/hooks";
+import { useEffect, useRef, useState } from "preact/hooks";
 
 import type { Change, Plan, Trial, Written } from "../../setup_messages.js";
 import { Button, SmallButton } from "../inputs.js";
@@ -17,6 +17,8 @@ export function Review({ plan, onWritten, onClose }: Props) {
   const { session, setUndo } = useBench();
   const [trial, setTrial] = useState<Trial | null>(null);
   const [asks, setAsks] = useState(false);
+  const place = useRef<HTMLElement>(null);
+  useEffect(() => place.current?.scrollIntoView({ block: "nearest" }), [plan]);
   const task = useTask();
   const { problems, remarks } = plan;
   const changes = [...plan.changes].sort((a, b) => Number(a.line) - Number(b.line));
@@ -30,12 +32,12 @@ export function Review({ plan, onWritten, onClose }: Props) {
       onWritten(await session.get("write", {}, progress));
     });
   return (
-    <section class="review" aria-labelledby="review-title">
+    <section ref={place} class="review" aria-labelledby="review-title">
       <div class="head">
         <h3 id="review-title">What would be written</h3>
         <SmallButton onClick={onClose}>Close</SmallButton>
       </div>
-      {changes.length === 0 && <p>Nothing differs from what is on the board.</p>}
+      {changes.length + problems.length === 0 && <p>Nothing differs from what is on the board.</p>}
       {problems.length > 0 && (
         <ul class="bad" role="alert">
           {problems.map(([name, sentence]) => (
