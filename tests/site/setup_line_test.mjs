@@ -170,6 +170,21 @@ test("a page that is hidden goes on, and is locked", () =>
     await page.getByText("motion locked").waitFor();
   }));
 
+test("a computer that has slept wakes up with motion locked", () =>
+  withSerial({}, async (page) => {
+    await connect(page);
+    await arm(page);
+    await turn(page);
+    const [worker] = page.workers();
+    await worker.evaluate(() => {
+      const asleep = performance.now();
+      while (performance.now() - asleep < 2500);
+    });
+    await page.getByText("the computer has slept").first().waitFor();
+    await page.getByText("motion locked").waitFor();
+    await brakes();
+  }));
+
 const ways = {
   page: ({ context }) => context.close(),
   worker: ({ page }) => page.evaluate(() => location.replace("about:blank")),
