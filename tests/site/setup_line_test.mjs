@@ -22,6 +22,7 @@ const isControl = (bytes) => bytes[1] === 67;
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), "sbgc-setup-"));
 let browser;
 let server;
+let sdk;
 let board;
 let camera;
 const wait = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
@@ -29,9 +30,8 @@ const wait = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
 before(async () => {
   browser = await launch();
   server = await serve();
-  board = await gimbal();
-  const sdk = await packageIn(folder);
-  camera = await sdk.connect(Duplex.toWeb(net.connect(board.port, "127.0.0.1")));
+  sdk = await packageIn(folder);
+  await powerOn("2.59");
 });
 after(async () => {
   await browser?.close();
@@ -40,8 +40,16 @@ after(async () => {
   fs.rmSync(folder, { recursive: true });
 });
 
+/** Before 2.61, a board has no timeout that bounds a motion. */
+async function powerOn(firmware) {
+  await camera?.close();
+  board?.stop();
+  board = await gimbal("--firmware", firmware);
+  camera = await sdk.connect(Duplex.toWeb(net.connect(board.port, "127.0.0.1")));
+}
+
 const button = (page, name) => page.getByRole("button", { name, exact: true });
-const connected = (page) => page.getByText("firmware 2.59").first().waitFor({ timeout: 30_000 });
+const connected = (page) => page.getByText(/board 3\.\d, firmware/).first().waitFor({ timeout: 30_000 });
 const until = async (holds, what) => {
   for (let i = 0; i < 200; ++i) {
     if (holds()) return;
@@ -129,7 +137,7 @@ test("a stop overtakes what waits: at most the frame in the port is before it", 
     await connect(page);
     await arm(page);
     await turn(page);
-    await button(page, "Parameters").click();
+    await page.getByRole("radio", { name: "Parameters" }).check({ force: true });
     await button(page, "Read the parameters").click();
     await page.keyboard.up("ArrowRight");
     const times = [];
@@ -162,17 +170,35 @@ test("a page that is hidden goes on, and is locked", () =>
     await page.getByText("motion locked").waitFor();
   }));
 
+test("a computer that has slept wakes up with motion locked", () =>
+  withSerial({}, async (page) => {
+    await connect(page);
+    await arm(page);
+    await turn(page);
+    const [worker] = page.workers();
+    await worker.evaluate(() => {
+      const asleep = performance.now();
+      while (performance.now() - asleep < 2500);
+    });
+    await page.getByText("the computer has slept").first().waitFor();
+    await page.getByText("motion locked").waitFor();
+    await brakes();
+  }));
+
 const ways = {
   page: ({ context }) => context.close(),
   worker: ({ page }) => page.evaluate(() => location.replace("about:blank")),
   cable: ({ cable }) => cable.pull(),
   crash: async ({ page }) => page.goto("chrome://crash").catch(() => {}),
 };
+const versions = ["2.59", "2.70"];
 for (let i = 0; i < kills; ++i) {
   const [name, kill] = Object.entries(ways)[i % Object.keys(ways).length];
   const isMove = i % 8 >= 4;
-  test(`kill ${i}: ${name} during ${isMove ? "a move" : "a turn"}: the camera brakes`, () =>
-    withSerial({}, async (page, cable, context) => {
+  const firmware = versions[(i >> 1) % 2];
+  test(`kill ${i}: ${name} during ${isMove ? "a move" : "a turn"} of ${firmware}: the camera brakes`, async () => {
+    await powerOn(firmware);
+    await withSerial({}, async (page, cable, context) => {
       await connect(page);
       await arm(page);
       if (isMove) {
@@ -185,7 +211,8 @@ for (let i = 0; i < kills; ++i) {
       }
       await kill({ page, cable, context });
       await brakes();
-    }));
+    });
+  });
 }
 
 test("a bridge that serves the page is killed during motion: the camera brakes", async () => {

@@ -64,6 +64,8 @@ export type Report =
   /** The worker's VERSION, which build.mjs defines in the page as well. */
   | { kind: "ready"; version: string }
   | { kind: "link"; state: LinkState; text: string }
+  /** Motion is locked, although the line is there: the computer has slept. */
+  | { kind: "locked"; text: string }
   /** Of a task that takes long. `share` is 0 to 1, null if it is not known. */
   | { kind: "progress"; id: number; share: number | null; text: string }
   | (Extract<playground.Report, { kind: "done" }> & { result?: unknown });

@@ -20,6 +20,8 @@ const holdSeconds = 0.3;
 const searchAgainMs = 1000;
 const reportMs = 16;
 const mostFrames = 200;
+/** A worker that did not run for so long was asleep with its computer. */
+const sleepMs = 2000;
 
 const now = (): number => Math.floor(performance.now() * 1000);
 const say = (report: Report): void => postMessage(report);
@@ -163,6 +165,7 @@ class Workshop {
   #frames: LoggedFrame[] = [];
   #lost = 0;
   #lastView = -1;
+  #awake = performance.now();
   #release = (): void => {}; // the lock of the port
   #hold: ReturnType<typeof setTimeout> | undefined;
   #messages: Promise<Wasm> | undefined;
@@ -425,7 +428,18 @@ class Workshop {
     return { frames: log.feed(from, bytes, now() / 1e6) };
   }
 
+  /** After a sleep, nobody knows what is held or in the way. */
+  #wake(): void {
+    const slept = performance.now() - this.#awake;
+    this.#awake = performance.now();
+    if (slept < sleepMs || !this.#isArmed) return;
+    this.#turn([0, 0, 0]);
+    this.#isArmed = false;
+    say({ kind: "locked", text: "the computer has slept: motion is locked" });
+  }
+
   #report(): void {
+    this.#wake();
     const view = this.#connection?.client.view ?? null;
     if (view !== null && view.seconds !== this.#lastView) {
       this.#lastView = view.seconds;

@@ -89,7 +89,8 @@ export function App({ session, token }: { session: Setup; token: string }) {
           setReady(problem === "");
         }
         if (report.kind === "failed") setFailure(report.message);
-        if (report.kind === "notice") setNotice(report.text);
+        if (report.kind === "notice" || report.kind === "locked") setNotice(report.text);
+        if (report.kind === "locked") disarm.current();
         if (report.kind !== "link") return;
         setLink(report);
         if (report.state !== "connected") disarm.current();
