@@ -101,8 +101,8 @@ async function write(page) {
   await page.locator(".written.good").waitFor({ timeout: 60_000 });
 }
 
-const nativeValue = (name) => {
-  const { stdout, stderr } = spawnSync(sbgc, ["params", "get", name, ...native]);
+const nativeValue = (...name) => {
+  const { stdout, stderr } = spawnSync(sbgc, ["params", "get", ...name, ...native]);
   return stdout.toString() + stderr.toString();
 };
 
@@ -177,6 +177,73 @@ test("motion is locked until it is armed; held keys turn, and let go they stop",
   });
 });
 
+test("a pointer turns as long as it presses, a gamepad as long as its shoulder button is held", async () => {
+  const prepare = () => {
+    globalThis.pad = { id: "Test pad", axes: [0.05, -1, 0], buttons: Array.from({ length: 12 }, () => ({ pressed: false })) };
+    navigator.getGamepads = () => [null, globalThis.pad];
+  };
+  await connected(async (page) => {
+    const speeds = async () => (await told(page, "hold")).map((one) => one.speeds);
+    await page.waitForTimeout(200);
+    assert.deepEqual(await speeds(), []);
+    await arm(page).click();
+    await button(page, "Pitch down").hover();
+    await page.mouse.down();
+    await page.waitForTimeout(300);
+    await page.mouse.up();
+    const pressed = await speeds();
+    assert.deepEqual([pressed[0], pressed.at(-1)], [[0, 20, 0], [0, 0, 0]]);
+    const hold = (on) => page.evaluate((is) => (globalThis.pad.buttons[5].pressed = is), on);
+    await page.waitForTimeout(200);
+    assert.equal((await speeds()).length, pressed.length, "tilted sticks alone turn nothing");
+    await hold(true);
+    await page.waitForTimeout(300);
+    await hold(false);
+    await page.waitForTimeout(150);
+    const tilted = (await speeds()).slice(pressed.length);
+    assert.deepEqual([tilted[0], tilted.at(-1)], [[0, -20, 0], [0, 0, 0]]);
+  }, { prepare });
+});
+
+test("with the keyboard alone: connected, armed, turned, stopped", async () => {
+  await open(async (page) => {
+    const go = async (name) => {
+      for (let n = 0; n < 150; ++n) {
+        await page.keyboard.press("Tab");
+        const [found, outline] = await page.evaluate(() => {
+          const one = document.activeElement;
+          const around = one.closest("label")?.querySelector("span") ?? one; // of a hidden radio button
+          const name = one.getAttribute("aria-label") ?? one.closest("label")?.textContent ?? one.textContent;
+          return [name.trim(), getComputedStyle(around).outlineStyle];
+        });
+        if (!found.startsWith(name)) continue;
+        return assert.notEqual(outline, "none", `${name}: the focus is visible`);
+      }
+      assert.fail(`${name} cannot be reached`);
+    };
+    await go("USB or serial");
+    await page.keyboard.press("ArrowRight");
+    await go("Address");
+    await page.keyboard.press("Control+A");
+    await page.keyboard.type(bridge.found[0]);
+    await go("Token");
+    await page.keyboard.type(`${token}\n`);
+    await page.getByRole("radio", { name: "Look and move" }).waitFor();
+    for (const name of ["Arm motion", "Motors on"]) {
+      await go(name);
+      await page.keyboard.press("Space");
+    }
+    await outcome(page, "Motors on: done");
+    await go("Roll left");
+    await page.keyboard.down("Space");
+    await page.waitForTimeout(200);
+    await page.keyboard.press("Escape");
+    await page.keyboard.up("Space");
+    await outcome(page, "Stop: done");
+    assert.deepEqual((await told(page, "hold"))[0].speeds, [-20, 0, 0]);
+  });
+});
+
 test("a parameter is edited, planned, tried, written, read by the command, and undone", async () => {
   await connected(async (page) => {
     await readParameters(page);
@@ -187,17 +254,27 @@ test("a parameter is edited, planned, tried, written, read by the command, and u
     await page.locator(".review [role=alert]").waitFor();
     assert.ok(await page.locator(".review").getByRole("button", { name: "Write" }).isDisabled());
     await p.fill("77");
-    await page.getByText("1 changed in profile 1", { exact: true }).waitFor();
+    const profile = page.getByLabel("Profile of the parameters");
+    await profile.selectOption("2");
+    await page.waitForFunction((one) => one.value !== "77", await p.elementHandle());
+    await p.fill("55");
+    await page.getByText("1 changed in profile 1, 1 changed in profile 2", { exact: true }).waitFor();
+    await button(page, "Review").click();
+    await write(page);
+    assert.match(nativeValue("axes.roll.p", "--profile", "2"), /\b55\b/);
+    assert.doesNotMatch(nativeValue("axes.roll.p", "--profile", "1"), /\b77\b/);
+    await profile.selectOption("1");
+    await page.waitForFunction((one) => one.value === "77", await p.elementHandle());
     await button(page, "Review").click();
     await page.locator(".review tbody", { hasText: "axes.roll.p" }).waitFor();
     await button(page, "Try on the emulated board").click();
     await page.getByRole("heading", { name: "With the changes" }).waitFor({ timeout: 60_000 });
     await button(page, "Write").click();
-    const stops = (await told(page, "stop")).length;
+    const kinds = async () => (await told(page, "stop", "write")).map(({ kind }) => kind);
+    const before = await kinds();
     await page.keyboard.press("Escape"); // stops before it closes the dialog
     await page.getByRole("dialog").waitFor({ state: "detached" });
-    assert.equal((await told(page, "stop")).length, stops + 1);
-    assert.equal((await told(page, "write")).length, 0);
+    assert.deepEqual(await kinds(), [...before, "stop"]);
     await write(page);
     assert.match(nativeValue("axes.roll.p"), /\b77\b/);
     await button(page, "Undo the last write").click();

@@ -52,7 +52,7 @@ export function App({ session, token }: { session: Setup; token: string }) {
   const [canUndo, setUndo] = useState(false);
   const [notice, setNotice] = useState("");
   const [shown, setShown] = useState<(typeof views)[number][0]>("move");
-  const { outcome, follow } = useOutcome();
+  const { outcome, follow, clear } = useOutcome();
   const [hold] = useState(() => new Hold((speeds) => session.hold(speeds)));
   const isConnected = link.state === "connected" && board !== null;
 
@@ -89,10 +89,14 @@ export function App({ session, token }: { session: Setup; token: string }) {
           setReady(problem === "");
         }
         if (report.kind === "failed") setFailure(report.message);
-        if (report.kind === "notice" || report.kind === "locked") setNotice(report.text);
+        if (report.kind === "notice" || report.kind === "locked") {
+          clear();
+          setNotice(report.text);
+        }
         if (report.kind === "locked") disarm.current();
         if (report.kind !== "link") return;
         setLink(report);
+        if (report.state !== "connected") session.view = null;
         if (report.state !== "connected") disarm.current();
         if (report.state === "closed") setBoard(null);
       }),
@@ -109,6 +113,7 @@ export function App({ session, token }: { session: Setup; token: string }) {
     setBoard(now);
     setUndo(false);
     setNotice("");
+    clear();
   };
   const desk: Desk = {
     session,
@@ -127,7 +132,7 @@ export function App({ session, token }: { session: Setup; token: string }) {
             <p>This page cannot work: {failure}</p>
           </div>
         )}
-        <Status title={board?.identity ?? "No gimbal is connected"} onStop={stop}>
+        <Status key={link.state} title={board?.identity ?? "No gimbal is connected"} onStop={stop}>
           {isArmed ? (
             <Button look="armed" onClick={() => disarm.current()}>Armed: lock</Button>
           ) : (

@@ -1,6 +1,6 @@
 // The parameters of the board by their topics; changes are collected, reviewed and then written.
 
-import { useState } from "preact/hooks";
+import { useRef, useState } from "preact/hooks";
 
 import type { Parameter, Plan, Read, Topic, Written } from "../../setup_messages.js";
 import { elementsOf } from "../../vendor_file.js";
@@ -54,7 +54,10 @@ export function ParametersPanel() {
     setEdits({ ...edits, [key]: text === undefined ? rest : { ...rest, [name]: text } });
     setPlan(null);
   };
-  const review = (work: () => Promise<Plan>): void => {
+  /** Whether the changes of the page are under review, and not a file or what undoes a write. */
+  const areEdits = useRef(false);
+  const review = (work: () => Promise<Plan>, ofEdits = false): void => {
+    areEdits.current = ofEdits;
     setWritten(null);
     void task.run(work).then(setPlan);
   };
@@ -73,7 +76,7 @@ export function ParametersPanel() {
     setWritten(now);
     setPlan(null);
     // What failed is still there to try again.
-    if (now.ok) setEdits(({ [0]: _, [profile]: __, ...others }) => others);
+    if (now.ok && areEdits.current) setEdits(({ [0]: _, [profile]: __, ...others }) => others);
     await task.run(() => show(profile));
   };
 
@@ -178,7 +181,7 @@ export function ParametersPanel() {
             <Button
               look="plain small"
               disabled={!isPossible || Object.keys(values).length === 0}
-              onClick={() => review(() => session.get("plan", { profile, values }))}
+              onClick={() => review(() => session.get("plan", { profile, values }), true)}
             >
               Review
             </Button>

@@ -59,8 +59,9 @@ export function Dialog({ title, action, onAgree, onClose, children }: DialogProp
   const { stop } = useBench();
   const dialog = useRef<HTMLDialogElement>(null);
   useEffect(() => dialog.current?.showModal(), []);
+  const close = (): void => dialog.current?.close();
   const agree = (): void => {
-    onClose();
+    close();
     onAgree();
   };
   return (
@@ -68,8 +69,8 @@ export function Dialog({ title, action, onAgree, onClose, children }: DialogProp
       <h2 id="dialog-title">{title}</h2>
       {children}
       <div class="row">
+        <Button look="plain quiet" onClick={close}>Leave it</Button>
         <Button onClick={agree}>{action}</Button>
-        <Button look="plain quiet" onClick={onClose}>Leave it</Button>
         <StopButton onStop={stop} />
       </div>
     </dialog>

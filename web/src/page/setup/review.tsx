@@ -41,9 +41,7 @@ export function Review({ plan, onWritten, onClose }: Props) {
       {problems.length > 0 && (
         <ul class="bad" role="alert">
           {problems.map(([name, sentence]) => (
-            <li key={`${name} ${sentence}`}>
-              <b>{name}</b> {sentence}
-            </li>
+            <li key={`${name} ${sentence}`}>{sentence}</li>
           ))}
         </ul>
       )}
