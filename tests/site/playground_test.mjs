@@ -3,11 +3,11 @@
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import fs from "node:fs";
-import { createRequire } from "node:module";
 import path from "node:path";
 import { after, before, test } from "node:test";
 import zlib from "node:zlib";
 
+import { button, checkLook, outcome, told, visit } from "./application.mjs";
 import { addressOf, launch, root, sbgc, serve, site } from "./support.mjs";
 
 let browser;
@@ -21,40 +21,13 @@ after(async () => {
   server.close();
 });
 
-/** Records what the page tells its worker. */
-const spy = () => {
-  globalThis.told = [];
-  const post = Worker.prototype.postMessage;
-  Worker.prototype.postMessage = function (message) {
-    globalThis.told.push(message);
-    return post.call(this, message);
-  };
-};
-
-/** Opens the playground, runs `work(page)`, and fails if the browser has complained. */
-async function play(work, { hash = "", look = {}, prepare } = {}) {
-  const context = await browser.newContext({ reducedMotion: "reduce", ...look });
-  const page = await context.newPage();
-  const problems = [];
-  // Software WebGL reports that reading pixels is slow.
-  const isOurs = (message) => ["error", "warning"].includes(message.type()) && !message.text().includes("GL Driver");
-  page.on("console", (message) => isOurs(message) && problems.push(message.text()));
-  page.on("pageerror", (error) => problems.push(String(error)));
-  await page.addInitScript(spy);
-  if (prepare) await page.addInitScript(prepare);
-  try {
-    await page.goto(`${server.address}playground.html${hash}`);
+/** Opens the playground, and runs `work(page)` when the gimbal is there. */
+const play = (work, { hash = "", ...options } = {}) =>
+  visit(browser, `${server.address}playground.html${hash}`, async (page) => {
     await button(page, "Motors off").and(page.locator(":enabled")).waitFor();
     await work(page);
-    assert.deepEqual(problems, []);
-  } finally {
-    await context.close();
-  }
-}
+  }, options);
 
-const button = (page, name) => page.getByRole("button", { name, exact: true });
-const outcome = (page, text) => page.locator(".outcome", { hasText: text }).waitFor();
-const told = (page, kind) => page.evaluate((one) => globalThis.told.filter((m) => m.kind === one), kind);
 const axisOfScene = (page) => page.evaluate(() => globalThis.sbgcPlayground.opticalAxis());
 
 async function motorsOn(page) {
@@ -191,11 +164,7 @@ for (const colorScheme of ["light", "dark"]) {
         await page.locator(".log details").first().waitFor();
         await button(page, "Pause").click();
         await page.locator(".log summary").first().click();
-        await page.addScriptTag({ path: createRequire(import.meta.url).resolve("axe-core/axe.min.js") });
-        const { violations } = await page.evaluate(() => globalThis.axe.run());
-        const where = violations.map(({ id, nodes }) => `${id}: ${nodes[0].target} ${nodes[0].html}`);
-        assert.deepEqual(where, []);
-        assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width);
+        await checkLook(page);
       }, { look });
     });
   }

@@ -3,11 +3,11 @@
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import fs from "node:fs";
-import { createRequire } from "node:module";
 import os from "node:os";
 import path from "node:path";
 import { after, before, test } from "node:test";
 
+import { button, checkLook, outcome, told, visit } from "./application.mjs";
 import { gimbal, start } from "./serial.mjs";
 import { launch, sbgc, serve, site } from "./support.mjs";
 
@@ -34,42 +34,14 @@ after(async () => {
   board?.stop();
 });
 
-/** Records what the page tells its worker. */
-const spy = () => {
-  globalThis.told = [];
-  const post = Worker.prototype.postMessage;
-  Worker.prototype.postMessage = function (message) {
-    globalThis.told.push(message);
-    return post.call(this, message);
-  };
-};
-const told = (page, ...kinds) =>
-  page.evaluate((some) => globalThis.told.filter(({ kind }) => some.includes(kind)), kinds);
-const button = (page, name) => page.getByRole("button", { name, exact: true });
 const view = (page, name) => page.getByRole("radio", { name }).check();
 const arm = (page) => page.getByRole("switch", { name: "Arm motion" }).and(page.locator(":visible")).first();
-const outcome = (page, text) => page.locator(".outcome", { hasText: text }).waitFor();
 
-/** Opens the page, runs `work(page)`, and fails if the browser has complained. */
-async function open(work, { hash = "", look = {}, prepare } = {}) {
-  const context = await browser.newContext({ reducedMotion: "reduce", ...look });
-  const page = await context.newPage();
-  const problems = [];
-  // Software WebGL reports that reading pixels is slow.
-  const isOurs = (message) => ["error", "warning"].includes(message.type()) && !message.text().includes("GL Driver");
-  page.on("console", (message) => isOurs(message) && problems.push(message.text()));
-  page.on("pageerror", (error) => problems.push(String(error)));
-  await page.addInitScript(spy);
-  if (prepare) await page.addInitScript(prepare);
-  try {
-    await page.goto(`${server.address}setup.html${hash}`);
+const open = (work, { hash = "", ...options } = {}) =>
+  visit(browser, `${server.address}setup.html${hash}`, async (page) => {
     await page.getByRole("heading", { name: "Connect" }).waitFor();
     await work(page);
-    assert.deepEqual(problems, []);
-  } finally {
-    await context.close();
-  }
-}
+  }, options);
 
 /** Opens the page, and connects it to the board. */
 const connected = (work, options) =>
@@ -321,30 +293,23 @@ for (const colorScheme of ["light", "dark"]) {
   for (const width of [390, 768, 1280]) {
     test(`axe-core has nothing to say: ${colorScheme}, ${width} pixels; all fits`, async () => {
       const look = { colorScheme, viewport: { width, height: 900 }, bypassCSP: true };
-      const check = async (page, what) => {
-        const { violations } = await page.evaluate(() => globalThis.axe.run());
-        assert.deepEqual(violations.map(({ id, nodes }) => `${what}: ${id}: ${nodes[0].html}`), []);
-        assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width, what);
-      };
-      const axe = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
       await connected(async (page) => {
-        await page.addScriptTag({ path: axe });
         await arm(page).click();
-        await check(page, "move");
+        await checkLook(page, "move");
         await readParameters(page);
         await (await field(page, "axes.yaw.p")).fill("9");
         await button(page, "Review").click();
         await page.locator(".review tbody").waitFor();
-        await check(page, "parameters");
+        await checkLook(page, "parameters");
         await button(page, "Write").click();
-        await check(page, "dialog");
+        await checkLook(page, "dialog");
         await button(page, "Leave it").click();
         await view(page, "Care");
         await page.locator(".topic:visible summary").first().click();
-        await check(page, "care");
+        await checkLook(page, "care");
         await button(page, "Disconnect").click();
         await page.getByRole("heading", { name: "Connect" }).waitFor();
-        await check(page, "connect");
+        await checkLook(page, "connect");
       }, { look });
     });
   }

@@ -1,0 +1,48 @@
+// Opens the pages that web/ makes, and listens to what they tell their workers.
+
+import assert from "node:assert/strict";
+import { createRequire } from "node:module";
+
+/** Records what the page tells its worker. */
+const spy = () => {
+  globalThis.told = [];
+  const post = Worker.prototype.postMessage;
+  Worker.prototype.postMessage = function (message) {
+    globalThis.told.push(message);
+    return post.call(this, message);
+  };
+};
+export const told = (page, ...kinds) =>
+  page.evaluate((some) => globalThis.told.filter(({ kind }) => some.includes(kind)), kinds);
+
+export const button = (page, name) => page.getByRole("button", { name, exact: true });
+export const outcome = (page, text) => page.locator(".outcome", { hasText: text }).waitFor();
+
+/** Opens the page, runs `work(page)`, and fails if the browser has complained. */
+export async function visit(browser, address, work, { look = {}, prepare } = {}) {
+  const context = await browser.newContext({ reducedMotion: "reduce", ...look });
+  const page = await context.newPage();
+  const problems = [];
+  // Software WebGL reports that reading pixels is slow.
+  const isOurs = (message) => ["error", "warning"].includes(message.type()) && !message.text().includes("GL Driver");
+  page.on("console", (message) => isOurs(message) && problems.push(message.text()));
+  page.on("pageerror", (error) => problems.push(String(error)));
+  await page.addInitScript(spy);
+  if (prepare) await page.addInitScript(prepare);
+  try {
+    await page.goto(address);
+    await work(page);
+    assert.deepEqual(problems, []);
+  } finally {
+    await context.close();
+  }
+}
+
+/** Fails if axe-core finds something, or the page is wider than its window. The page bypasses its policy. */
+export async function checkLook(page, what = "") {
+  await page.addScriptTag({ path: createRequire(import.meta.url).resolve("axe-core/axe.min.js") });
+  const { violations } = await page.evaluate(() => globalThis.axe.run());
+  const where = violations.map(({ id, nodes }) => `${what} ${id}: ${nodes[0].target} ${nodes[0].html}`);
+  assert.deepEqual(where, []);
+  assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), page.viewportSize().width, what);
+}
