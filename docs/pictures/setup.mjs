@@ -12,7 +12,7 @@ const board = await gimbal("--firmware", "2.70", "--motion", "handheld");
 const ends = await cables(board);
 const server = await serve();
 const browser = await launch(["--use-angle=swiftshader", "--enable-unsafe-swiftshader"]);
-const context = await browser.newContext({ viewport: { width: 1100, height: 820 } });
+const context = await browser.newContext({ viewport: { width: 1280, height: 860 } });
 await giveSerial(context, server, ends.url);
 const page = await context.newPage();
 await page.goto(`${server.address}setup.html`);

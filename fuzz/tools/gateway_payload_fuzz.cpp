@@ -12,7 +12,7 @@
 #include "gateway/orders.hpp"
 #include "gateway/payload.hpp"
 #include "require.hpp"
-#include "values/effect_text.hpp"
+#include "values/request_effects.hpp"
 
 namespace {
 

@@ -2,6 +2,8 @@
 // loopback interface. The input starts with the kind of the request, followed by the bytes behind
 // it; see Stranger.
 //
+// The server also has files of pages.
+//
 // Invariants: who does not know the token does not get in; no message is longer than allowed; the
 // messages of a host with a good request arrive whole and in their order; every connection that has
 // ended its input is closed; and another host is served meanwhile.
@@ -30,6 +32,7 @@
 #include <unistd.h>
 
 #include "input.hpp"
+#include "share/page_files.hpp"
 #include "share/web_socket_server.hpp"
 
 namespace {
@@ -47,10 +50,13 @@ constexpr std::size_t max_message = 16384;
 /// For what another thread does; a busy machine needs a small part of it.
 constexpr std::chrono::seconds patience{20};
 
+constexpr const char* pages = "/usr/share/doc";
+
 /// A server that sends every message back.
 class Echo {
  public:
-  Echo() : server_("127.0.0.1", 0, {std::string(token), {"http://localhost:8000"}}, events()) {
+  Echo()
+      : server_("127.0.0.1", 0, {std::string(token), {"http://localhost:8000"}, pages}, events()) {
     const std::string address = server_.address();
     port_ = static_cast<std::uint16_t>(std::atoi(address.c_str() + address.rfind(':') + 1));
   }
@@ -285,6 +291,10 @@ void check_access(std::string_view text) {
   const bool is_there = text.find(token) != std::string_view::npos;
   require(!access.knows_token(target, protocols) || is_there);
   require(!access.allows_origin(text) || text == access.origins[0]);
+  if (const auto file = sbgc::tools::page_file(pages, text)) {
+    require(file->path.starts_with(pages) && file->path.find("/.") == std::string::npos);
+  }
+  static_cast<void>(sbgc::tools::is_loopback_host(text));
   static_cast<void>(sbgc::tools::token_problem(text));
   static_cast<void>(sbgc::tools::origin_problem(text));
 }

@@ -104,6 +104,7 @@ SBGC_EXPORT(setup_calibrations) void setup_calibrations() {
                       {"summary", info.summary},
                       {"preparation", info.preparation},
                       {"effects", tools::effect_text(info.effects)},
+                      {"moves", info.effects.has(Effect::moves)},
                       {"values", values_of(one)}});
   }
   tools::exchange().output = detail::json_text(result);

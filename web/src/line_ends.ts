@@ -1,6 +1,7 @@
 // The lines to a real gimbal: Web Serial, and the WebSocket of `sbgc bridge`.
 
 import type { LineSettings } from "./client.js";
+import { sentenceOf } from "./reports.js";
 import type { Place } from "./setup_messages.js";
 
 export interface LineHandlers {
@@ -24,7 +25,6 @@ export function open(place: Place, settings: LineSettings, handlers: LineHandler
     : BridgeLine.open(place.url, place.token, handlers);
 }
 
-const sentence = (error: unknown): string => (error instanceof Error ? error.message : String(error));
 const bitsPerByte = (settings: LineSettings): number => (settings.parity === "none" ? 10 : 11);
 
 /** The port at a place: adapters of one kind are told apart by their order. */
@@ -69,7 +69,7 @@ class SerialLine implements LineEnd {
     try {
       await this.port.open({ ...settings, bufferSize: 4096 });
     } catch (error) {
-      throw new Error(`the port does not open; does another program or page use it? (${sentence(error)})`);
+      throw new Error(`the port does not open; does another program or page use it? (${sentenceOf(error)})`);
     }
     this.#writer = this.port.writable?.getWriter();
     this.#reading = this.#read();

@@ -157,6 +157,8 @@ export interface Calibration {
   /** What to do before: how to hold the camera. */
   preparation: string;
   effects: string;
+  /** It needs armed motion. */
+  moves: boolean;
   /** Fields that need a value; with names, one of them. */
   values: { path: string; unit: string; summary: string; names: string[] }[];
 }

@@ -3,154 +3,27 @@
 
 import { Capture } from "./capture.js";
 import type { LineSettings } from "./client.js";
-import * as lines from "./line_ends.js";
-import { Log } from "./log.js";
+import { Connection, now } from "./connection.js";
 import type { Direction } from "./messages.js";
-import { SetupClient } from "./setup_client.js";
+import { Reports, sentenceOf } from "./reports.js";
+import type { SetupClient } from "./setup_client.js";
 import type { Connected, Place, Report, Request } from "./setup_messages.js";
 import { tryOut } from "./trial.js";
 import { bytesOf, Wasm } from "./wasm.js";
-import type { Axes, LoggedFrame } from "./worker_messages.js";
+import type { Axes } from "./worker_messages.js";
 
 declare const VERSION: string;
 
-const usualLine: LineSettings = { baudRate: 115200, parity: "none" };
 /** A camera that is turned by hand brakes after this time without a command. */
 const holdSeconds = 0.3;
 const searchAgainMs = 1000;
 const reportMs = 16;
-const mostFrames = 200;
 /** A worker that did not run for so long was asleep with its computer. */
 const sleepMs = 2000;
 
-const now = (): number => Math.floor(performance.now() * 1000);
 const say = (report: Report): void => postMessage(report);
-const sentence = (error: unknown): string => (error instanceof Error ? error.message : String(error));
 const isStill = (speeds: Axes): boolean => speeds.every((speed) => speed === 0);
 const moves = (action: string): boolean => action !== "stop" && action !== "motors off";
-
-/** One connection: the client on one side, the port on the other. */
-class Connection {
-  readonly client: SetupClient;
-  #end: lines.LineEnd | undefined;
-  #timer: ReturnType<typeof setTimeout> | undefined;
-  #settings: LineSettings;
-  #wanted: LineSettings | undefined; // that a search tries next
-  #isWriting = false;
-  #isOver = false;
-  /** Versions of the board, in words. */
-  identity = "";
-
-  private constructor(
-    setup: Wasm,
-    line: LineSettings | null,
-    ready: () => void,
-    readonly failed: (text: string) => void,
-    readonly observe: (from: Direction, bytes: Uint8Array) => void,
-    readonly lost: (reason: string) => void,
-  ) {
-    this.#settings = line ?? usualLine;
-    const handlers = {
-      identified: (text: string) => {
-        this.identity = text;
-        ready();
-      },
-      failed,
-      noticed: (text: string) => say({ kind: "notice", text }),
-      lineSet: (settings: LineSettings) => void (this.#wanted = settings),
-    };
-    this.client = new SetupClient(setup, handlers, line === null);
-  }
-
-  /** Opens a line and identifies the board; calls `begun` before, with what can be closed. */
-  static async open(
-    setup: Wasm,
-    place: Place,
-    line: LineSettings | null,
-    observe: (from: Direction, bytes: Uint8Array) => void,
-    lost: (reason: string) => void,
-    begun: (made: Connection) => void,
-  ): Promise<Connection> {
-    const searched = place.kind === "serial" ? line : usualLine; // a bridge knows the settings
-    let fail = (_: Error): void => {};
-    let identified = (): void => {};
-    const ready = new Promise<void>((resolve, reject) => {
-      identified = resolve;
-      fail = reject;
-    });
-    const failed = (text: string): void => fail(new Error(text));
-    const made = new Connection(setup, searched, identified, failed, observe, lost);
-    begun(made);
-    ready.catch(() => {}); // it may fail before it is waited for
-    made.#end = await lines.open(place, made.#settings, {
-      received: (bytes) => {
-        observe("board", bytes);
-        made.client.receive(bytes, now());
-        made.run();
-      },
-      lost: (reason) => {
-        failed(reason);
-        made.#fail(reason);
-      },
-    });
-    made.run();
-    await ready.catch(async (error: unknown) => {
-      await made.close();
-      throw error;
-    });
-    return made;
-  }
-
-  get settings(): LineSettings {
-    return this.#settings;
-  }
-
-  /** Sends what is due, and waits for the rest. */
-  run(): void {
-    clearTimeout(this.#timer);
-    if (this.#isOver) return;
-    const bytes = this.client.advance(now());
-    if (bytes.length > 0) void this.#send(bytes);
-    const due = this.client.deadline;
-    if (due === Infinity || this.#isOver) return;
-    const ms = Math.min(Math.max(0, (due - now()) / 1000), 60_000);
-    // A client that waits for the line has news when the bytes have left.
-    this.#timer = setTimeout(() => this.run(), this.#isWriting ? Math.max(ms, 1) : ms);
-  }
-
-  async #send(bytes: Uint8Array): Promise<void> {
-    this.#isWriting = true;
-    try {
-      const wanted = this.#wanted;
-      this.#wanted = undefined;
-      if (wanted) await this.#end?.set((this.#settings = wanted));
-      this.observe("host", bytes);
-      await this.#end?.write(bytes);
-    } catch (error) {
-      return this.#fail(sentence(error));
-    } finally {
-      this.#isWriting = false;
-    }
-    this.client.written(now());
-    this.run();
-  }
-
-  #fail(reason: string): void {
-    if (this.#isOver) return;
-    this.#isOver = true;
-    clearTimeout(this.#timer);
-    this.client.close(reason);
-    this.lost(reason);
-  }
-
-  async close(): Promise<void> {
-    this.#isOver = true;
-    clearTimeout(this.#timer);
-    this.client.close("the line has been closed");
-    this.failed("the line has been closed");
-    await this.#end?.close();
-  }
-}
 
 class Workshop {
   #connection: Connection | null = null;
@@ -160,15 +33,10 @@ class Workshop {
   #serialNumber = "";
   #isArmed = false;
   #capture: Capture | null = null;
-  #log: Log | null = null;
-  #logs = false;
-  #frames: LoggedFrame[] = [];
-  #lost = 0;
-  #lastView = -1;
+  readonly #reports = new Reports(say);
   #awake = performance.now();
   #release = (): void => {}; // the lock of the port
   #hold: ReturnType<typeof setTimeout> | undefined;
-  #messages: Promise<Wasm> | undefined;
 
   constructor(readonly setup: Wasm) {
     setInterval(() => this.#report(), reportMs);
@@ -185,7 +53,7 @@ class Workshop {
       const work = this.#begin(request);
       if ("id" in request) void this.#answer(request.id, work);
     } catch (error) {
-      if ("id" in request) say({ kind: "done", id: request.id, error: sentence(error) });
+      if ("id" in request) say({ kind: "done", id: request.id, error: sentenceOf(error) });
     }
     this.#connection?.run();
   }
@@ -194,7 +62,7 @@ class Workshop {
     try {
       say({ kind: "done", id, ...((await work) as object | undefined) });
     } catch (error) {
-      say({ kind: "done", id, error: sentence(error) });
+      say({ kind: "done", id, error: sentenceOf(error) });
     }
   }
 
@@ -222,13 +90,13 @@ class Workshop {
         this.#needArmed();
         return this.#client
           .send(bytesOf(request.frame))
-          .then((reply) => this.#decoded("board", reply.frame));
+          .then((reply) => this.#reports.decoded("board", reply.frame, now() / 1e6));
       case "decode":
-        return this.#decoded("host", bytesOf(request.frame));
+        return this.#reports.decoded("host", bytesOf(request.frame), now() / 1e6);
       case "doctor":
         return this.#client.diagnose().then((findings) => ({ findings }));
       case "log":
-        return this.#setLog(request.on);
+        return this.#reports.setLog(request.on);
       case "record":
         return result(this.#record(request.on));
       case "parameters":
@@ -252,6 +120,9 @@ class Workshop {
       case "check":
         return result(this.#client.check(request.calibration));
       case "calibrate":
+        if (this.#client.calibrations().some((one) => one.name === request.calibration && one.moves)) {
+          this.#needArmed();
+        }
         return result(this.#client.calibrate(request.calibration, request.values, progressed));
       case "tune":
         return this.#tune(request.axes, request.gain, request.profile, progressed);
@@ -272,7 +143,7 @@ class Workshop {
   #turn(speeds: Axes): void {
     if (!this.#connection || (!this.#isArmed && !isStill(speeds))) return;
     clearTimeout(this.#hold);
-    const failed = (error: unknown): void => say({ kind: "notice", text: sentence(error) });
+    const failed = (error: unknown): void => say({ kind: "notice", text: sentenceOf(error) });
     if (isStill(speeds)) return void this.#client.act("stop", now()).catch(failed);
     const [roll, pitch, yaw] = speeds;
     const turn = `turn roll=${roll} pitch=${pitch} yaw=${yaw} seconds=${holdSeconds}`;
@@ -287,6 +158,7 @@ class Workshop {
       return await this.#open(place, line);
     } catch (error) {
       this.#release();
+      say({ kind: "link", state: "closed", text: sentenceOf(error) });
       throw error;
     }
   }
@@ -307,17 +179,12 @@ class Workshop {
     say({ kind: "link", state: "searching", text: "looking for the board" });
     let opened: Connection | undefined;
     try {
-      opened = await Connection.open(
-        this.setup,
-        place,
-        wanted,
-        (from, bytes) => this.#observe(from, bytes),
-        (reason) => opened !== undefined && opened === this.#connection && void this.#find(reason),
-        (made) => void (this.#opening = made),
-      );
-    } catch (error) {
-      say({ kind: "link", state: "closed", text: sentence(error) });
-      throw error;
+      opened = await Connection.open(this.setup, place, wanted, {
+        observed: (from, bytes) => this.#observe(from, bytes),
+        lost: (reason) => opened === this.#connection && void this.#find(reason),
+        noticed: (text) => say({ kind: "notice", text }),
+        begun: (made) => void (this.#opening = made),
+      });
     } finally {
       this.#opening = null;
     }
@@ -363,7 +230,7 @@ class Workshop {
     if (connection && this.#isArmed) {
       const stopped = connection.client.act("stop", now());
       connection.run();
-      await stopped.catch((error: unknown) => say({ kind: "notice", text: sentence(error) }));
+      await stopped.catch((error: unknown) => say({ kind: "notice", text: sentenceOf(error) }));
     }
     this.#isArmed = false;
     await this.#opening?.close();
@@ -403,29 +270,7 @@ class Workshop {
 
   #observe(from: Direction, bytes: Uint8Array): void {
     this.#capture?.add(from, bytes, now());
-    if (this.#log === null) return;
-    this.#frames.push(...this.#log.feed(from, bytes, now() / 1e6));
-    const excess = this.#frames.length - mostFrames;
-    if (excess <= 0) return;
-    this.#frames.splice(0, excess);
-    this.#lost += excess;
-  }
-
-  async #setLog(on: boolean): Promise<void> {
-    this.#logs = on;
-    this.#log = null;
-    if (!on) return;
-    const log = await Log.make(await this.#loadMessages());
-    if (this.#logs) this.#log = log;
-  }
-
-  #loadMessages(): Promise<Wasm> {
-    return (this.#messages ??= Wasm.load(new URL("./messages.wasm", import.meta.url)));
-  }
-
-  async #decoded(from: Direction, bytes: Uint8Array): Promise<{ frames: LoggedFrame[] }> {
-    const log = await Log.make(await this.#loadMessages());
-    return { frames: log.feed(from, bytes, now() / 1e6) };
+    this.#reports.observe(from, bytes, now() / 1e6);
   }
 
   /** After a sleep, nobody knows what is held or in the way. */
@@ -440,15 +285,7 @@ class Workshop {
 
   #report(): void {
     this.#wake();
-    const view = this.#connection?.client.view ?? null;
-    if (view !== null && view.seconds !== this.#lastView) {
-      this.#lastView = view.seconds;
-      say({ kind: "view", view });
-    }
-    if (this.#frames.length === 0) return;
-    say({ kind: "log", frames: this.#frames, lost: this.#lost });
-    this.#frames = [];
-    this.#lost = 0;
+    this.#reports.send(this.#connection?.client.view ?? null, performance.now());
   }
 }
 
@@ -458,5 +295,5 @@ Wasm.load(new URL("./setup.wasm", import.meta.url)).then(
     new Workshop(setup);
     say({ kind: "ready", version: VERSION });
   },
-  (error: unknown) => say({ kind: "failed", message: sentence(error) }),
+  (error: unknown) => say({ kind: "failed", message: sentenceOf(error) }),
 );

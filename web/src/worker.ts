@@ -1,37 +1,24 @@
 // The worker of the playground: the emulated gimbal, its client, and the clock.
 
 import { EmulatedGimbal } from "./line.js";
-import { Log } from "./log.js";
-import type { Direction } from "./messages.js";
+import { Reports, sentenceOf } from "./reports.js";
 import { bytesOf, Wasm } from "./wasm.js";
 import type { LoggedFrame, Report, Request } from "./worker_messages.js";
 
 const tickMs = 8;
 /** The longest piece of work between two messages of the page. */
 const longestMs = 12;
-/** More frames than a page shows at once; those that do not fit are counted. */
-const mostFrames = 200;
-const reportMs = 16;
 
 const say = (report: Report): void => postMessage(report);
 
 class Playground {
   #pace = 1;
   #gimbal: EmulatedGimbal | null = null;
-  #log: Log | null = null;
-  #logs = false;
-  #frames: LoggedFrame[] = [];
-  #lost = 0;
+  readonly #reports = new Reports(say);
   #startedAt = 0; // virtual time and real time that belong together
   #startedReal = 0;
-  #lastView = -1;
-  #lastReport = 0;
-  #messages: Promise<Wasm> | null = null;
 
-  constructor(
-    readonly wasm: Wasm,
-    readonly messagesUrl: URL,
-  ) {
+  constructor(readonly wasm: Wasm) {
     setInterval(() => this.#tick(), tickMs);
   }
 
@@ -48,9 +35,9 @@ class Playground {
             failed: (message) => say({ kind: "failed", message }),
             noticed: (text) => say({ kind: "notice", text }),
           },
-          (from, bytes, now) => this.#observe(from, bytes, now),
+          (from, bytes, now) => this.#reports.observe(from, bytes, now / 1e6),
         );
-        this.#lastView = -1;
+        this.#reports.reset();
         this.#mark();
         return;
       case "change":
@@ -67,9 +54,11 @@ class Playground {
       case "send":
         if (gimbal) this.#answer(request.id, this.#send(gimbal, request.frame));
         return;
-      case "decode":
-        this.#answer(request.id, this.#decoded("host", bytesOf(request.frame), gimbal?.now ?? 0));
+      case "decode": {
+        const seconds = (gimbal?.now ?? 0) / 1e6;
+        this.#answer(request.id, this.#reports.decoded("host", bytesOf(request.frame), seconds));
         return;
+      }
       case "doctor":
         if (gimbal) {
           const findings = gimbal.client.diagnose();
@@ -77,27 +66,13 @@ class Playground {
         }
         return;
       case "log":
-        this.#logs = request.on;
-        if (!this.#logs) return void (this.#log = null);
-        void this.#loadMessages()
-          .then((messages) => Log.make(messages))
-          .then((log) => this.#logs && (this.#log = log))
-          .catch((error: unknown) => say({ kind: "failed", message: String(error) }));
+        void this.#reports.setLog(request.on);
     }
-  }
-
-  #loadMessages(): Promise<Wasm> {
-    return (this.#messages ??= Wasm.load(this.messagesUrl));
   }
 
   async #send(gimbal: EmulatedGimbal, hex: string): Promise<{ frames: LoggedFrame[] }> {
     const reply = await gimbal.client.send(bytesOf(hex));
-    return this.#decoded("board", reply.frame, gimbal.now);
-  }
-
-  async #decoded(from: Direction, bytes: Uint8Array, now: number): Promise<{ frames: LoggedFrame[] }> {
-    const log = await Log.make(await this.#loadMessages());
-    return { frames: log.feed(from, bytes, now / 1e6) };
+    return this.#reports.decoded("board", reply.frame, gimbal.now / 1e6);
   }
 
   /** Answers a request of the page when its work has ended. */
@@ -105,17 +80,8 @@ class Playground {
     work.then(
       (result) => say({ kind: "done", id, ...result }),
       (error: unknown) =>
-        say({ kind: "done", id, error: error instanceof Error ? error.message : String(error) }),
+        say({ kind: "done", id, error: sentenceOf(error) }),
     );
-  }
-
-  #observe(from: "host" | "board", bytes: Uint8Array, now: number): void {
-    if (this.#log === null) return;
-    this.#frames.push(...this.#log.feed(from, bytes, now / 1e6));
-    const excess = this.#frames.length - mostFrames;
-    if (excess <= 0) return;
-    this.#frames.splice(0, excess);
-    this.#lost += excess;
   }
 
   #mark(): void {
@@ -130,26 +96,12 @@ class Playground {
     const until = this.#startedAt + (begin - this.#startedReal) * 1000 * this.#pace;
     // A slow machine, or a page that slept, does not catch up.
     if (!gimbal.run(until, () => performance.now() - begin < longestMs)) this.#mark();
-    this.#report(gimbal, begin);
-  }
-
-  #report(gimbal: EmulatedGimbal, at: number): void {
-    if (at - this.#lastReport < reportMs) return;
-    this.#lastReport = at;
-    const view = gimbal.client.view;
-    if (view !== null && view.seconds !== this.#lastView) {
-      this.#lastView = view.seconds;
-      say({ kind: "view", view });
-    }
-    if (this.#frames.length === 0) return;
-    say({ kind: "log", frames: this.#frames, lost: this.#lost });
-    this.#frames = [];
-    this.#lost = 0;
+    this.#reports.send(gimbal.client.view, begin);
   }
 }
 
 const playground = Wasm.load(new URL("./gimbal.wasm", import.meta.url)).then(
-  (wasm) => new Playground(wasm, new URL("./messages.wasm", import.meta.url)),
+  (wasm) => new Playground(wasm),
 );
 
 // At once: what a worker does not listen to when it arrives is lost.
@@ -157,7 +109,7 @@ addEventListener("message", ({ data }: MessageEvent<Request>) => {
   playground
     .then((ready) => ready.take(data))
     .catch((error: unknown) => {
-      const message = error instanceof Error ? error.message : String(error);
+      const message = sentenceOf(error);
       say("id" in data ? { kind: "done", id: data.id, error: message } : { kind: "failed", message });
     });
 });

@@ -44,12 +44,12 @@ function Calibrations() {
 }
 
 function CalibrationCard({ calibration }: { calibration: Calibration }) {
-  const { session, isConnected } = useBench();
+  const { session, isConnected, isArmed } = useBench();
   const [values, setValues] = useState<Record<string, string>>({});
   const [said, setSaid] = useState({ text: "", isGood: true });
   const [asks, setAsks] = useState(false);
   const task = useTask();
-  const { name, summary, preparation, effects, values: fields } = calibration;
+  const { name, summary, preparation, effects, moves, values: fields } = calibration;
   const asked = { calibration: name, values };
   const isComplete = fields.every(({ path }) => values[path]?.trim());
   const isPossible = isConnected && !task.isBusy && isComplete;
@@ -99,9 +99,10 @@ function CalibrationCard({ calibration }: { calibration: Calibration }) {
           <b>Calibrate.</b> {effects} Keep your hands off, unless a step says otherwise.
         </li>
       </ol>
+      {moves && <ArmSwitch>The motors turn the camera during this calibration.</ArmSwitch>}
       <div class="row">
         <Button look="plain quiet" disabled={!isPossible} onClick={check}>Check</Button>
-        <Button disabled={!isPossible} onClick={() => setAsks(true)}>Calibrate</Button>
+        <Button disabled={!isPossible || (moves && !isArmed)} onClick={() => setAsks(true)}>Calibrate</Button>
       </div>
       <TaskState task={task} onCancel={() => void session.ask({ kind: "cancel" })} />
       <p class={said.isGood ? "good" : "bad"} role="status">
