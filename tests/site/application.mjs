@@ -38,6 +38,21 @@ export async function visit(browser, address, work, { look = {}, prepare } = {})
   }
 }
 
+/** Goes to what has this name, as a keyboard does; fails if one does not see that it has the focus. */
+export async function tabTo(page, name) {
+  for (let n = 0; n < 200; ++n) {
+    await page.keyboard.press("Tab");
+    const [found, outline] = await page.evaluate(() => {
+      const one = document.activeElement;
+      const label = one.closest("label");
+      const seen = one.type === "radio" ? label.querySelector("span") : one;
+      return [(one.ariaLabel ?? label?.textContent ?? one.textContent).trim(), getComputedStyle(seen).outlineStyle];
+    });
+    if (found === name) return assert.notEqual(outline, "none", `${name}: the focus is visible`);
+  }
+  assert.fail(`${name} cannot be reached`);
+}
+
 /** Fails if axe-core finds something, or the page is wider than its window. The page bypasses its policy. */
 export async function checkLook(page, what = "") {
   await page.addScriptTag({ path: createRequire(import.meta.url).resolve("axe-core/axe.min.js") });

@@ -7,7 +7,7 @@ import path from "node:path";
 import { after, before, test } from "node:test";
 import zlib from "node:zlib";
 
-import { button, checkLook, outcome, told, visit } from "./application.mjs";
+import { button, checkLook, outcome, tabTo, told, visit } from "./application.mjs";
 import { addressOf, launch, root, sbgc, serve, site } from "./support.mjs";
 
 let browser;
@@ -120,27 +120,13 @@ test("the doctor names each fault that is switched on, and no other", async () =
 
 test("with the keyboard alone, a gimbal turns and Escape stops it", async () => {
   await play(async (page) => {
-    const focusOn = async (name) => {
-      for (let n = 0; n < 200; ++n) {
-        await page.keyboard.press("Tab");
-        const label = await page.evaluate(() => {
-          const one = document.activeElement;
-          return one?.getAttribute("aria-label") ?? one?.textContent;
-        });
-        if (label !== name) continue;
-        const { outlineStyle } = await page.evaluate(() => ({ outlineStyle: getComputedStyle(document.activeElement).outlineStyle }));
-        assert.notEqual(outlineStyle, "none", `${name}: the focus is visible`);
-        return;
-      }
-      assert.fail(`${name} cannot be reached`);
-    };
-    await focusOn("Motors on");
+    await tabTo(page, "Motors on");
     await page.keyboard.press("Enter");
     await outcome(page, "Motors on: done");
-    await focusOn("Yaw, slider");
+    await tabTo(page, "Yaw, slider");
     for (let n = 0; n < 5; ++n) await page.keyboard.press("ArrowRight");
     await outcome(page, "Move");
-    await focusOn("Turn");
+    await tabTo(page, "Turn");
     await page.keyboard.press("Space");
     await page.waitForTimeout(500);
     await page.keyboard.press("Escape");

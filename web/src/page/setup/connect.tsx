@@ -99,8 +99,8 @@ function SerialWay({ isPossible, connect }: WayProps) {
       <Button disabled={!isPossible || !ports} onClick={choose}>Connect by USB or serial</Button>
       <ul class="ports" aria-label="Ports that this page may use">
         {known.map((port, index) => (
-          <li key={index}>
-            {nameOf(port, index)}{" "}
+          <li key={index} class="row">
+            <span>{nameOf(port, index)}</span>
             <SmallButton
               label={`Connect to port ${index + 1}`}
               disabled={!isPossible}

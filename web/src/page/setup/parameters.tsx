@@ -31,6 +31,7 @@ export function ParametersPanel() {
   const [written, setWritten] = useState<Written | null>(null);
   const [needle, setNeedle] = useState("");
   const [onlyChanged, setOnlyChanged] = useState(false);
+  const chooser = useRef<HTMLInputElement>(null);
   const task = useTask();
 
   const show = async (one: number): Promise<void> => {
@@ -111,18 +112,19 @@ export function ParametersPanel() {
           <div class="row">
             <SmallButton disabled={!isPossible} onClick={readAll}>Read again</SmallButton>
             <SmallButton disabled={!isPossible} onClick={backup}>Save a backup</SmallButton>
-            <label class="file">
+            <SmallButton disabled={!isPossible} onClick={() => chooser.current?.click()}>
               Open a file
-              <input
-                type="file"
-                accept=".json,.profile"
-                disabled={!isPossible}
-                onChange={({ currentTarget }) => {
-                  take(currentTarget.files?.[0]);
-                  currentTarget.value = ""; // the same file may come again
-                }}
-              />
-            </label>
+            </SmallButton>
+            <input
+              ref={chooser}
+              hidden
+              type="file"
+              accept=".json,.profile"
+              onChange={({ currentTarget }) => {
+                take(currentTarget.files?.[0]);
+                currentTarget.value = ""; // the same file may come again
+              }}
+            />
             <SmallButton
               disabled={!isPossible || !canUndo}
               onClick={() => review(() => session.get("plan-undo", {}))}

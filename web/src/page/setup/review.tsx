@@ -32,7 +32,7 @@ export function Review({ plan, onWritten, onClose }: Props) {
       onWritten(await session.get("write", {}, progress));
     });
   return (
-    <section ref={place} class="review" aria-labelledby="review-title">
+    <section ref={place} class="trial review" aria-labelledby="review-title">
       <div class="head">
         <h3 id="review-title">What would be written</h3>
         <SmallButton onClick={onClose}>Close</SmallButton>
