@@ -102,7 +102,7 @@ export interface Parameter {
   name: string;
   path: string;
   summary: string;
-  /** As people read and write it, with the unit. */
+  /** As people write it, in the unit. */
   text: string;
   unit: string;
   /** In the unit; null: no limit is known. */

@@ -89,7 +89,7 @@ export const Select = ({ label, options, value, onChange }: SelectProps) => (
 );
 
 /** How a button stands out. */
-type Look = "plain" | "plain quiet" | "plain small" | "plain quiet small" | "usual" | "armed";
+type Look = "plain" | "plain quiet" | "plain small" | "plain quiet small" | "armed";
 
 interface ButtonProps {
   look?: Look;
@@ -105,6 +105,26 @@ export const Button = ({ look = "plain", label, onClick, ...rest }: ButtonProps)
 
 /** For what is beside the main thing. */
 export const SmallButton = (props: ButtonProps) => <Button look="plain quiet small" {...props} />;
+
+interface TextProps {
+  label: string;
+  type?: "text" | "number" | "url" | "password";
+  placeholder?: string;
+  value: string;
+  onChange: (text: string) => void;
+}
+
+export const TextInput = ({ label, onChange, type = "text", ...rest }: TextProps) => (
+  <label>
+    {label}{" "}
+    <input
+      type={type as "text"} // Preact types each kind apart
+      autocomplete="off"
+      {...rest}
+      onInput={(event) => onChange(event.currentTarget.value)}
+    />
+  </label>
+);
 
 interface CheckProps {
   label: string;

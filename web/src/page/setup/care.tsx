@@ -5,7 +5,7 @@ import { useEffect, useState } from "preact/hooks";
 import type { Calibration } from "../../setup_messages.js";
 import { axisNames, axisNumbers } from "../axes.js";
 import { DoctorPanel } from "../doctor.js";
-import { Button, Check, Select, SliderRow } from "../inputs.js";
+import { Button, Check, Select, SliderRow, TextInput } from "../inputs.js";
 import { useView } from "../session.js";
 import type { Limits } from "../values.js";
 import { BodePanel } from "./bode.js";
@@ -76,26 +76,20 @@ function CalibrationCard({ calibration }: { calibration: Calibration }) {
         {fields.length > 0 && (
           <li>
             <b>Enter.</b>{" "}
-            {fields.map(({ path, unit, summary: meaning, names }) => (
-              <label key={path}>
-                {meaning || path}{" "}
-                {names.length > 0 ? (
-                  <Select
-                    label={meaning || path}
-                    options={["", ...names]}
-                    value={values[path] ?? ""}
-                    onChange={(text) => setValues({ ...values, [path]: text })}
-                  />
-                ) : (
-                  <input
-                    type="text"
-                    value={values[path] ?? ""}
-                    onInput={(event) => setValues({ ...values, [path]: event.currentTarget.value })}
-                  />
-                )}{" "}
-                <span class="unit">{unit}</span>
-              </label>
-            ))}
+            {fields.map(({ path, unit, summary: meaning, names }) => {
+              const label = `${meaning || path}${unit && `, ${unit}`}`;
+              const value = values[path] ?? "";
+              const set = (text: string): void => setValues({ ...values, [path]: text });
+              if (names.length === 0) {
+                return <TextInput key={path} label={label} value={value} onChange={set} />;
+              }
+              return (
+                <label key={path}>
+                  {label}{" "}
+                  <Select label={label} options={["", ...names]} value={value} onChange={set} />
+                </label>
+              );
+            })}
           </li>
         )}
         <li>

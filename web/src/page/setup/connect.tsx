@@ -3,7 +3,7 @@
 import { useState } from "preact/hooks";
 
 import type { Connected, LineSettings, Place } from "../../setup_messages.js";
-import { Button, Choice, Select, SmallButton } from "../inputs.js";
+import { Button, Choice, Select, SmallButton, TextInput } from "../inputs.js";
 import { TaskState } from "./parts.js";
 import { nameOf, noteBoard, ports, usePorts } from "./ports.js";
 import { useBench, useTask } from "./setup_session.js";
@@ -79,16 +79,13 @@ function SerialWay({ isPossible, connect }: WayProps) {
   return (
     <>
       <div class="row">
-        <label>
-          Baud rate{" "}
-          <input
-            type="number"
-            min={1}
-            placeholder="find"
-            value={rate}
-            onInput={(event) => setRate(event.currentTarget.value)}
-          />
-        </label>
+        <TextInput
+          label="Baud rate"
+          type="number"
+          placeholder="find"
+          value={rate}
+          onChange={setRate}
+        />
         <label>
           Parity{" "}
           <Select
@@ -128,24 +125,8 @@ function BridgeWay({ token: given, isPossible, connect }: WayProps & { token: st
   return (
     <form onSubmit={submit}>
       <div class="row">
-        <label>
-          Address{" "}
-          <input
-            type="url"
-            required
-            value={url}
-            onInput={(event) => setUrl(event.currentTarget.value)}
-          />
-        </label>
-        <label>
-          Token{" "}
-          <input
-            type="password"
-            autocomplete="off"
-            value={token}
-            onInput={(event) => setToken(event.currentTarget.value)}
-          />
-        </label>
+        <TextInput label="Address" type="url" value={url} onChange={setUrl} />
+        <TextInput label="Token" type="password" value={token} onChange={setToken} />
       </div>
       <button type="submit" class="plain" disabled={!isPossible}>
         Connect to the bridge

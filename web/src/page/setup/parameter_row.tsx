@@ -3,14 +3,7 @@
 import { useId } from "preact/hooks";
 
 import type { Parameter } from "../../setup_messages.js";
-import { Button, Check, SmallButton } from "../inputs.js";
-
-/** Numbers are edited without their unit, which stands beside them. */
-const bare = (text: string, unit: string): string =>
-  unit && text.endsWith(` ${unit}`) ? text.slice(0, -unit.length - 1) : text;
-const isNumber = (text: string): boolean => text.trim() !== "" && Number.isFinite(Number(text));
-const whole = (text: string, unit: string): string =>
-  unit && isNumber(text) ? `${text.trim()} ${unit}` : text;
+import { Check, SmallButton } from "../inputs.js";
 
 /** Without the noise of floating point. */
 const short = (value: number): string => String(Number(value.toPrecision(7)));
@@ -18,12 +11,6 @@ function rangeOf({ least, most }: Parameter): string {
   if (least !== null && most !== null) return `${short(least)} to ${short(most)}`;
   if (least !== null) return `from ${short(least)}`;
   return most === null ? "" : `to ${short(most)}`;
-}
-
-function isOutside({ kind, least, most, unit }: Parameter, text: string): boolean {
-  const value = Number(bare(text, unit));
-  if (kind !== "number" || !isNumber(bare(text, unit))) return false;
-  return value < (least ?? -Infinity) || value > (most ?? Infinity);
 }
 
 interface Props {
@@ -37,10 +24,6 @@ interface Props {
 export function ParameterRow({ parameter, edit, problem, onEdit }: Props) {
   const id = useId();
   const { path, summary, text, general, default: usual } = parameter;
-  const change = (now: string): void => onEdit(now === text ? undefined : now);
-  const range = rangeOf(parameter);
-  const isWrong = edit !== undefined && isOutside(parameter, edit);
-  const wrong = problem ?? (isWrong ? `Possible: ${range}` : "");
   return (
     <div class={edit === undefined ? "parameter" : "parameter changed"}>
       <div>
@@ -48,32 +31,27 @@ export function ParameterRow({ parameter, edit, problem, onEdit }: Props) {
         {general && <span class="muted"> The same in all profiles.</span>}
       </div>
       <div class="row">
-        <Field id={id} parameter={parameter} value={edit ?? text} wrong={wrong} onChange={change} />
+        <Field
+          id={id}
+          parameter={parameter}
+          value={edit ?? text}
+          isWrong={problem !== undefined}
+          onChange={(now) => onEdit(now === text ? undefined : now)}
+        />
         {edit !== undefined && (
           <SmallButton label={`was ${text}; back: ${path}`} onClick={() => onEdit(undefined)}>
             was {text}
           </SmallButton>
         )}
-        {wrong && (
+        {problem && (
           <p class="bad" id={`${id}-wrong`}>
-            {wrong}
+            {problem}
           </p>
         )}
       </div>
       <div class="row muted">
-        <span>{range}</span>
-        {usual && (
-          <span>
-            default{" "}
-            <Button
-              look="usual"
-              label={`The default, ${usual}: ${path}`}
-              onClick={() => change(usual)}
-            >
-              {usual}
-            </Button>
-          </span>
-        )}
+        <span>{rangeOf(parameter)}</span>
+        {usual && <span>default {usual}</span>}
       </div>
     </div>
   );
@@ -83,13 +61,12 @@ interface FieldProps {
   id: string;
   parameter: Parameter;
   value: string;
-  wrong: string;
+  isWrong: boolean;
   onChange: (text: string) => void;
 }
 
-function Field({ id, parameter, value, wrong, onChange }: FieldProps) {
+function Field({ id, parameter, value, isWrong, onChange }: FieldProps) {
   const { kind, names, unit, path } = parameter;
-  const state = { "aria-invalid": wrong !== "", "aria-describedby": wrong && `${id}-wrong` };
   if (kind === "enum") {
     const isKnown = names.some(([name]) => name === value);
     return (
@@ -132,12 +109,13 @@ function Field({ id, parameter, value, wrong, onChange }: FieldProps) {
     <>
       <input
         id={id}
-        {...state}
         type="text"
+        aria-invalid={isWrong}
+        aria-describedby={isWrong ? `${id}-wrong` : undefined}
         inputMode={kind === "number" ? "decimal" : "text"}
         autocomplete="off"
-        value={bare(value, unit)}
-        onInput={(event) => onChange(whole(event.currentTarget.value, unit))}
+        value={value}
+        onInput={(event) => onChange(event.currentTarget.value)}
       />
       {unit && <span class="unit">{unit}</span>}
     </>
