@@ -31,6 +31,7 @@ class Workshop {
   #place: Place | null = null;
   #line: LineSettings | null = null;
   #serialNumber = "";
+  #hasRead = false; // the page shows parameters
   #isArmed = false;
   #capture: Capture | null = null;
   readonly #reports = new Reports(say);
@@ -100,6 +101,7 @@ class Workshop {
       case "record":
         return result(this.#record(request.on));
       case "parameters":
+        this.#hasRead = true;
         return result(this.#client.read(progressed));
       case "profile":
         return result(this.#client.profile(request.profile));
@@ -154,6 +156,7 @@ class Workshop {
   async #connect(place: Place, line: LineSettings | null): Promise<Connected> {
     if (this.#connection || this.#opening) throw new Error("a gimbal is connected already");
     await this.#lock(place);
+    this.#hasRead = false;
     try {
       return await this.#open(place, line);
     } catch (error) {
@@ -216,6 +219,11 @@ class Workshop {
       } catch {
         say({ kind: "link", state: "lost", text: reason });
         continue;
+      }
+      if (this.#hasRead) {
+        const read = this.#client.read(); // plans compare with them
+        this.#connection?.run();
+        read.catch(() => {});
       }
       if (this.#serialNumber !== before) say({ kind: "notice", text: "this is another board than before" });
       return;
