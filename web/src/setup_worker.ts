@@ -49,6 +49,10 @@ class Workshop {
     return this.#connection.client;
   }
 
+  #run(): void {
+    this.#connection?.run();
+  }
+
   #take(request: Request): void {
     try {
       const work = this.#begin(request);
@@ -56,7 +60,7 @@ class Workshop {
     } catch (error) {
       if ("id" in request) say({ kind: "done", id: request.id, error: sentenceOf(error) });
     }
-    this.#connection?.run();
+    this.#run();
   }
 
   async #answer(id: number, work: unknown): Promise<void> {
@@ -222,7 +226,7 @@ class Workshop {
       }
       if (this.#hasRead) {
         const read = this.#client.read(); // plans compare with them
-        this.#connection?.run();
+        this.#run();
         read.catch(() => {});
       }
       if (this.#serialNumber !== before) say({ kind: "notice", text: "this is another board than before" });
@@ -271,7 +275,7 @@ class Workshop {
     await client.read();
     client.remember();
     const tuned = client.tune(axes, gain, profile, progressed);
-    this.#connection?.run();
+    this.#run();
     await tuned;
     await client.read();
   }
