@@ -41,8 +41,8 @@ std::optional<PageFile> page_file(const std::string& folder, std::string_view ta
   if (!name.starts_with('/') || !std::ranges::all_of(name, is_plain)) return std::nullopt;
   if (name.find("/.") != std::string::npos) return std::nullopt;
   const fs::path path = fs::path(folder) / name.substr(1);
-  const auto type = std::ranges::find(types, path.extension().string(),
-                                      [](const auto& one) { return std::string(one.first); });
+  const auto* const type = std::ranges::find(
+      types, path.extension().string(), [](const auto& one) { return std::string(one.first); });
   std::error_code error;
   if (type == types.end() || !fs::is_regular_file(path, error)) return std::nullopt;
   return PageFile{path.string(), type->second};

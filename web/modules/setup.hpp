@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <sbgc/client/backup_tasks.hpp>
@@ -43,7 +44,7 @@ class Parameters {
   using Problems = std::vector<std::pair<std::string, std::string>>;
 
   /// Returns the plan for the page.
-  Json planned(Problems problems, const std::vector<std::string>& remarks);
+  Json planned(const Problems& problems, const std::vector<std::string>& remarks);
   Task<WriteReport> write_plan();
 
   Backup read_{};

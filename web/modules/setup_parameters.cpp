@@ -124,7 +124,7 @@ Result<tools::VendorFile> read_elements(std::string_view lines) {
 void report_progress(double id, double share, std::string_view text) {
   client()->report([&](TextOutput& out) {
     const Json progress{{"share", share < 0 ? Json() : Json(share)}, {"text", text}};
-    out.put(fmt::format("\"progress\":{:.0f},\"of\":", id));
+    out.put(fmt::format(R"("progress":{:.0f},"of":)", id));
     out.put(detail::json_text(progress));
   });
 }
@@ -221,7 +221,7 @@ Json Parameters::plan_values(std::string_view lines, std::uint8_t profile) {
   for_each_setting(lines, [&](std::string_view name, std::string_view) {
     if (!known.contains(name)) problems.emplace_back(name, "the board does not have it");
   });
-  return planned(std::move(problems), {});
+  return planned(problems, {});
 }
 
 Json Parameters::plan_file(std::string_view text, std::uint8_t profile) {
@@ -268,7 +268,7 @@ Json Parameters::plan_undo() {
   return planned({}, {});
 }
 
-Json Parameters::planned(Problems problems, const std::vector<std::string>& remarks) {
+Json Parameters::planned(const Problems& problems, const std::vector<std::string>& remarks) {
   Json changes = Json::array();
   Json last = Json::array();
   const Availability versions = read_.board.versions();
@@ -302,7 +302,7 @@ Json Parameters::planned(Problems problems, const std::vector<std::string>& rema
   }
   for (Json& one : last) changes.push_back(std::move(one));
   Json said = Json::array();
-  for (auto& [name, sentence] : problems) said.push_back({name, sentence});
+  for (const auto& [name, sentence] : problems) said.push_back({name, sentence});
   return {{"changes", std::move(changes)}, {"problems", std::move(said)}, {"remarks", remarks}};
 }
 
@@ -324,12 +324,15 @@ void Parameters::write(double id, std::string created) {
   before_ = read_.parameters;
   const auto ended = [this, id, created = std::move(created)](const WriteReport& report) {
     Json result{{"ok", static_cast<bool>(report)}, {"text", to_text(report)}};
-    client()->passive().start(tasks::make_backup(created),
-                              [this, id, result = std::move(result)](Result<Backup> made) mutable {
-                                if (made) read_ = *std::move(made);
-                                if (!made) result["ok"] = false;
-                                report_result(id, result);
-                              });
+    const auto read = [this, id, result = std::move(result)](Result<Backup> made) mutable {
+      if (made) {
+        read_ = *std::move(made);
+      } else {
+        result["ok"] = false;
+      }
+      report_result(id, result);
+    };
+    client()->passive().start(tasks::make_backup(created), read);
   };
   client()->passive().start(write_plan(), ended);
 }

@@ -31,6 +31,7 @@ class Workshop {
   #place: Place | null = null;
   #line: LineSettings | null = null;
   #serialNumber = "";
+  #hasRead = false; // the page shows parameters
   #isArmed = false;
   #capture: Capture | null = null;
   readonly #reports = new Reports(say);
@@ -48,6 +49,10 @@ class Workshop {
     return this.#connection.client;
   }
 
+  #run(): void {
+    this.#connection?.run();
+  }
+
   #take(request: Request): void {
     try {
       const work = this.#begin(request);
@@ -55,7 +60,7 @@ class Workshop {
     } catch (error) {
       if ("id" in request) say({ kind: "done", id: request.id, error: sentenceOf(error) });
     }
-    this.#connection?.run();
+    this.#run();
   }
 
   async #answer(id: number, work: unknown): Promise<void> {
@@ -100,6 +105,7 @@ class Workshop {
       case "record":
         return result(this.#record(request.on));
       case "parameters":
+        this.#hasRead = true;
         return result(this.#client.read(progressed));
       case "profile":
         return result(this.#client.profile(request.profile));
@@ -154,6 +160,7 @@ class Workshop {
   async #connect(place: Place, line: LineSettings | null): Promise<Connected> {
     if (this.#connection || this.#opening) throw new Error("a gimbal is connected already");
     await this.#lock(place);
+    this.#hasRead = false;
     try {
       return await this.#open(place, line);
     } catch (error) {
@@ -217,6 +224,11 @@ class Workshop {
         say({ kind: "link", state: "lost", text: reason });
         continue;
       }
+      if (this.#hasRead) {
+        const read = this.#client.read(); // plans compare with them
+        this.#run();
+        read.catch(() => {});
+      }
       if (this.#serialNumber !== before) say({ kind: "notice", text: "this is another board than before" });
       return;
     }
@@ -263,7 +275,7 @@ class Workshop {
     await client.read();
     client.remember();
     const tuned = client.tune(axes, gain, profile, progressed);
-    this.#connection?.run();
+    this.#run();
     await tuned;
     await client.read();
   }
