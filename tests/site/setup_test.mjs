@@ -121,7 +121,7 @@ test("motion is locked until it is armed; held keys turn, and let go they stop",
     await arm(page).click();
     await button(page, "Motors on").click();
     await outcome(page, "Motors on: done");
-    await button(page, "Arrow keys").focus();
+    await button(page, "Arrow keys").click();
     await page.keyboard.down("ArrowRight");
     await page.waitForTimeout(600);
     await page.keyboard.up("ArrowRight");
@@ -156,12 +156,17 @@ test("a pointer turns as long as it presses, a gamepad as long as its shoulder b
     await page.waitForTimeout(200);
     assert.deepEqual(await speeds(), []);
     await arm(page).click();
-    await button(page, "Pitch down").hover();
-    await page.mouse.down();
-    await page.waitForTimeout(300);
-    await page.mouse.up();
-    const pressed = await speeds();
-    assert.deepEqual([pressed[0], pressed.at(-1)], [[0, 20, 0], [0, 0, 0]]);
+    let pressed = [];
+    for (const [name, turn] of [["Pitch down", [0, 20, 0]], ["Roll right", [20, 0, 0]]]) {
+      await button(page, name).hover();
+      const before = pressed.length;
+      await page.mouse.down();
+      await page.waitForTimeout(300);
+      await page.mouse.up();
+      pressed = await speeds();
+      assert.ok(pressed.length >= before + 5, `${name}: ${pressed.length - before}`);
+      assert.deepEqual([pressed[before], pressed.at(-2), pressed.at(-1)], [turn, turn, [0, 0, 0]], name);
+    }
     const hold = (on) => page.evaluate((is) => (globalThis.pad.buttons[5].pressed = is), on);
     await page.waitForTimeout(200);
     assert.equal((await speeds()).length, pressed.length, "tilted sticks alone turn nothing");

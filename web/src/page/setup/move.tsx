@@ -153,6 +153,7 @@ function TurnPanel({ hold }: { hold: Hold }) {
             title={way.name}
             disabled={!isArmed}
             onPointerDown={(event) => pressed(event, way)}
+            onMouseDown={(event) => event.preventDefault()} // it would move the focus, and so let go
             onPointerUp={lifted}
             onPointerCancel={lifted}
             onLostPointerCapture={lifted}
