@@ -172,6 +172,28 @@ test("a page that is hidden goes on, and is locked", () =>
     await page.getByText("motion locked").waitFor();
   }));
 
+for (const firmware of ["2.59", "2.70"]) {
+  test(`another program stops a turn and a move of ${firmware}: the page yields`, async () => {
+    await powerOn(firmware);
+    await withSerial({}, async (page) => {
+      await connect(page);
+      await arm(page);
+      await turn(page);
+      await camera.stop();
+      await brakes(); // the key is still held
+      await page.keyboard.up("ArrowRight");
+      await turn(page);
+      await page.keyboard.up("ArrowRight");
+      await page.getByRole("spinbutton", { name: "Yaw" }).first().fill(yaw() > 0 ? "-170" : "170");
+      await button(page, "Move").first().click();
+      await until(turns, "the camera turns");
+      await camera.stop();
+      await brakes();
+      await page.getByText("has stopped the camera").first().waitFor();
+    });
+  });
+}
+
 test("a computer that has slept wakes up with motion locked", () =>
   withSerial({}, async (page) => {
     await connect(page);

@@ -34,17 +34,36 @@ double degrees_between(msg::Angle14 from, msg::Angle14 to) {
   return msg::Angle14(static_cast<std::int16_t>(raw)).degrees();
 }
 
+/// True if the board turns an axis that has a speed.
+bool is_turning(const msg::GetAngles& state, const Axes<msg::ControlSpeed>& speeds) {
+  for (std::size_t i = 0; i < speeds.size(); ++i) {
+    if (speeds[i].raw() != 0 && state.axes[i].rc_speed.raw() != 0) return true;
+  }
+  return false;
+}
+
 /// Turns until each axis is near its target.
 Task<Result<void>> approach(MoveTarget target, MoveOptions options, detail::BoundedTurn& motion) {
   TaskMachine& task = co_await tasks::this_task();
   const Instant start = task.now();
   const Instant end = start + detail::duration_of(options.timeout);
   std::optional<msg::GetAngles> before;
+  Axes<msg::ControlSpeed> speeds{};
+  bool has_begun = false;
+  int still_polls = 0;
   const double fastest = options.speed.degrees_per_second();
   while (true) {
     const Result<msg::GetAngles> state = co_await tasks::call(msg::GetAnglesRequest{});
     if (!state) co_return state.error();
-    Axes<msg::ControlSpeed> speeds{};
+    const bool turns = is_turning(*state, speeds);
+    has_begun = has_begun || turns;
+    still_polls = turns ? 0 : still_polls + 1;
+    if (has_begun && still_polls == 2) {
+      co_return ClientError{ErrorCode::interrupted,
+                            "another program, RC, a limit or the control timeout has stopped the "
+                            "camera"};
+    }
+    speeds = {};
     bool is_near = true;
     bool has_turned = false;
     if (!before) before = *state;

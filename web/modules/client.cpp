@@ -129,11 +129,14 @@ std::string Client::act(double id, std::string_view action, Instant now) {
 }
 
 void Client::turn(double id, const Axes<msg::ControlSpeed>& speed, Instant now, Duration time) {
-  if (held_ && (held_->time != time || held_->is_over || !held_->speed->outcome())) {
+  const Result<void> outcome = held_ ? held_->speed->outcome() : Result<void>();
+  if (held_ && (held_->time != time || held_->is_over || !outcome)) {
     held_->speed->close();
     if (!held_->is_over) held_->machine->wake();
     held_.reset();
   }
+  // Somebody has stopped the camera: its owner must know before it turns again.
+  if (!outcome && bounds_moves_) return report_end(id, outcome.error().message);
   if (!held_) {
     detail::MotionOrder& order = client_.state().order();
     held_ = std::make_shared<Held>();
@@ -144,9 +147,9 @@ void Client::turn(double id, const Axes<msg::ControlSpeed>& speed, Instant now, 
             .begin = [&order] { return order.begin(); },
             .is_superseded = [&order](TaskNumber task) { return order.is_superseded(task); }});
     constexpr std::chrono::milliseconds bound{500};
-    held_->machine =
-        &client_.start(detail::hold_speed(held_->speed, {MotionBound::automatic, bound}, false),
-                       [held = held_](const Result<void>&) { held->is_over = true; });
+    held_->machine = &client_.start(
+        detail::hold_speed(held_->speed, {MotionBound::automatic, bound}, bounds_moves_),
+        [held = held_](const Result<void>&) { held->is_over = true; });
   }
   const Result<void> set = held_->speed->set(speed, now);
   held_->machine->wake();

@@ -36,7 +36,8 @@ class Client {
   /// Identifies the board, and then watches it. With `searches`, finds the settings of the line
   /// first, and reports each that it tries.
   void connect(bool searches = false);
-  /// Moves in a way that ends by itself when no more commands reach the board.
+  /// Moves and turns in a way that ends by itself when no more commands reach the board, and that
+  /// yields when somebody else has stopped the camera.
   void bound_moves() { bounds_moves_ = true; }
   bool bounds_moves() const { return bounds_moves_; }
   /// Begins an action, which is described in actions.hpp. Returns what is wrong with its text.

@@ -38,6 +38,8 @@ class Workshop {
   #awake = performance.now();
   #release = (): void => {}; // the lock of the port
   #hold: ReturnType<typeof setTimeout> | undefined;
+  /** What is held turns nothing until it is released: somebody has stopped the camera. */
+  #isBlocked = false;
 
   constructor(readonly setup: Wasm) {
     setInterval(() => this.#report(), reportMs);
@@ -147,9 +149,14 @@ class Workshop {
   }
 
   #turn(speeds: Axes): void {
-    if (!this.#connection || (!this.#isArmed && !isStill(speeds))) return;
+    if (isStill(speeds)) this.#isBlocked = false;
+    if (!this.#connection || this.#isBlocked || (!this.#isArmed && !isStill(speeds))) return;
     clearTimeout(this.#hold);
-    const failed = (error: unknown): void => say({ kind: "notice", text: sentenceOf(error) });
+    const failed = (error: unknown): void => {
+      this.#isBlocked = true;
+      clearTimeout(this.#hold);
+      say({ kind: "notice", text: sentenceOf(error) });
+    };
     if (isStill(speeds)) return void this.#client.act("stop", now()).catch(failed);
     const [roll, pitch, yaw] = speeds;
     const turn = `turn roll=${roll} pitch=${pitch} yaw=${yaw} seconds=${holdSeconds}`;
