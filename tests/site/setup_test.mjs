@@ -264,6 +264,7 @@ test("a backup is saved and restored, by the page and by the command", async () 
     const { stderr, status } = spawnSync(sbgc, ["params", "restore", file, "--yes", ...native]);
     assert.equal(status, 0, stderr.toString());
   });
+  fs.rmSync(path.dirname(file), { recursive: true });
 });
 
 test("a calibration says what to prepare, is checked, asks and is done", async () => {

@@ -102,7 +102,9 @@ function CalibrationCard({ calibration }: { calibration: Calibration }) {
       {moves && <ArmSwitch>The motors turn the camera during this calibration.</ArmSwitch>}
       <div class="row">
         <Button look="plain quiet" disabled={!isPossible} onClick={check}>Check</Button>
-        <Button disabled={!isPossible || (moves && !isArmed)} onClick={() => setAsks(true)}>Calibrate</Button>
+        <Button disabled={!isPossible || (moves && !isArmed)} onClick={() => setAsks(true)}>
+          Calibrate
+        </Button>
       </div>
       <TaskState task={task} onCancel={() => void session.ask({ kind: "cancel" })} />
       <p class={said.isGood ? "good" : "bad"} role="status">
