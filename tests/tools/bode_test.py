@@ -337,13 +337,15 @@ def test_streams_that_run_are_paused_and_go_on(stream: str, tmp_path: Path) -> N
         said = re.search(
             f"The data stream of {stream} is paused.* every (\\d+) ms as measured", text
         )
-        assert said and int(said[1]) in range(36, 46), text
+        # The line bunches the samples while the machine is busy.
+        assert said and int(said[1]) in range(20, 81), text
         lines = frames(result)
         begin = next(i for i, line in enumerate(lines) if "CMD_BODE_TEST_DATA" in line)
         end = max(i for i, line in enumerate(lines) if "CMD_BODE_TEST_DATA" in line)
         from_board = [f"{stream} (" in line and "board to host" in line for line in lines]
         assert any(from_board[:begin]) and not any(from_board[begin:end])
         again = result.error.split("CMD_DATA_STREAM_INTERVAL (85)  host to board")[-1]
+        assert re.search(f"interval_ms +{said[1]} ", again), again
         for part in ASKED[stream]:
             for word in re.findall(r"\w+", part.split("=")[1]):
                 assert word in again, again
