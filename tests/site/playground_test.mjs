@@ -40,8 +40,7 @@ const hurry = (page) => page.locator(".pace select").selectOption("16");
 
 async function findings(page) {
   await button(page, "Examine").click();
-  await button(page, "Measuring…").waitFor();
-  await button(page, "Examine").waitFor({ timeout: 60_000 });
+  await page.locator(".doctor [aria-busy=false]").waitFor({ timeout: 60_000 });
   const found = page.locator("[data-finding]");
   return found.evaluateAll((all) => all.map((one) => one.dataset.finding));
 }
@@ -108,8 +107,7 @@ test("the doctor names each fault that is switched on, and no other", async () =
       await button(page, "New board").click();
       await button(page, "Motors on").and(page.locator(":enabled")).waitFor();
       await hurry(page);
-      await button(page, "Motors on").click();
-      await page.waitForTimeout(200);
+      await motorsOn(page);
       assert.deepEqual(await findings(page), label ? [expected[label]] : [], label ?? "no fault");
       if (label) await box.uncheck();
     }
