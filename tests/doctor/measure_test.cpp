@@ -1,5 +1,6 @@
 // Tests of measuring an emulated board in virtual time.
 
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -15,6 +16,7 @@
 namespace sbgc::doctor {
 namespace {
 
+using testing::Contains;
 using testing::ElementsAre;
 using testing::Field;
 using testing::HasSubstr;
@@ -64,6 +66,21 @@ TEST(Measure, NoStreamGoesOnAfterIt) {
   const auto heard = client.delivery().on_frame([&](const BoardFrame&) { ++frames; });
   client.pass(seconds(1));
   EXPECT_EQ(frames, 0U);
+}
+
+TEST(Measure, JudgesALineThatLosesManyAnswers) {
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    emulator::EmulatorOptions options;
+    options.line.seed = seed;
+    const auto board = std::make_shared<test::VirtualBoard>(options, calibrated());
+    test::VirtualClient client(board);
+    options.line.faults.bit_errors = 0.0005;  // damages a third of the answers
+    board->emulator.change(options, board->now);
+    auto measured = client.run(tasks::measure());
+    ASSERT_TRUE(measured) << seed << ": " << measured.error().message;
+    measured->damaged_share = 0.3;  // as the client counts
+    EXPECT_THAT(findings_of(*measured), Contains(Field(&Finding::id, "line"))) << seed;
+  }
 }
 
 TEST(Measure, AsksABoardWithoutStreams) {

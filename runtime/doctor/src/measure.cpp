@@ -77,20 +77,35 @@ class Measuring {
   Task<Result<Measurements>> run() {
     if (const auto read = co_await read_state(); !read) co_return read.error();
     start_ = task_.now();
-    const Result<bool> has_streams = co_await use_streams();
-    if (!has_streams) co_return has_streams.error();
-    if (!*has_streams) {
-      if (const auto used = co_await use_requests(); !used) co_return used.error();
-    }
+    const Result<void> sampled = co_await sample();
+    if (!sampled && !is_silence(sampled)) co_return sampled.error();
+    // A line that loses answers tells less, but its counters tell that.
+    if (result_.seconds == 0) co_return sampled ? silence_ : sampled.error();
     co_return std::move(result_);
   }
 
  private:
   Duration half() const { return {time_.us / 2}; }
 
+  template <class T>
+  static bool is_silence(const Result<T>& result) {
+    return !result && result.error().code == ErrorCode::timeout;
+  }
+
+  Task<Result<void>> sample() {
+    const Result<bool> has_streams = co_await use_streams();
+    if (!has_streams) co_return has_streams.error();
+    if (!*has_streams) co_return co_await use_requests();
+    co_return Result<void>();
+  }
+
   /// Reads what does not change. An answer that is missing is not needed.
   Task<Result<void>> read_state() {
-    const auto live = co_await tasks::call(msg::RealtimeData3Request{});
+    constexpr int attempts = 3;  // a noisy line may lose all repetitions of a call
+    auto live = co_await tasks::call(msg::RealtimeData3Request{});
+    for (int i = 1; i < attempts && is_silence(live); ++i) {
+      live = co_await tasks::call(msg::RealtimeData3Request{});
+    }
     if (!live) co_return live.error();
     const BoardIdentity& board = task_.identity();
     result_.firmware = board.firmware_version();
@@ -149,11 +164,13 @@ class Measuring {
     return ClientError{ErrorCode::cancelled, "interrupted: measuring"};
   }
 
-  /// While a stream has the gyroscope, until `end`.
+  /// While a stream has the gyroscope, until `end`. Answers may be missing.
   Task<Result<void>> ask_slowly(GyroStream& stream, Duration end) {
     constexpr Duration pause = milliseconds(100);
     while (task_.now() - start_ < end) {
-      if (auto added = co_await add_live_data(); !added) co_return added;
+      const Result<void> added = co_await add_live_data();
+      if (!added && !is_silence(added)) co_return added;
+      if (!added) silence_ = added.error();
       const Result<void> waited = co_await tasks::wait_until(task_.now() + pause);
       if (!waited) co_return waited;
       stream.take();
@@ -190,6 +207,7 @@ class Measuring {
   const MeasureOptions& options_;
   Duration time_;
   Instant start_{};
+  ClientError silence_{};  // the last answer that was missing
   Measurements result_{};
 };
 
