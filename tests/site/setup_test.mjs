@@ -267,6 +267,22 @@ test("a backup is saved and restored, by the page and by the command", async () 
   fs.rmSync(path.dirname(file), { recursive: true });
 });
 
+test("what the line says is text, never markup", async () => {
+  const hostile = "<img src=x onerror=globalThis.hacked=1>";
+  const renamed = spawnSync(sbgc, ["params", "rename", "1", hostile, "--yes", ...native], { encoding: "utf8" });
+  assert.equal(renamed.status, 0, renamed.stderr);
+  await connected(async (page) => {
+    await readParameters(page);
+    await page.getByLabel("Search the parameters").fill("readprofilenames");
+    assert.ok((await page.locator(".parameter input").evaluateAll((all) => all.map((one) => one.value))).includes(hostile));
+    await page.locator(".parameter input").first().fill(`${hostile}2`);
+    await button(page, "Review").click();
+    await page.locator(".review tbody", { hasText: "<img" }).waitFor();
+    assert.equal(await page.locator("#application img").count(), 0);
+    assert.equal(await page.evaluate(() => globalThis.hacked), undefined);
+  });
+});
+
 test("a calibration says what to prepare, is checked, asks and is done", async () => {
   await connected(async (page) => {
     await view(page, "Care");

@@ -1,0 +1,89 @@
+// The module that sets a board up, without a page and in virtual time: every parameter is read, planned,
+// written and read back.
+
+import assert from "node:assert/strict";
+import fs from "node:fs";
+import { createRequire } from "node:module";
+import os from "node:os";
+import path from "node:path";
+import { after, before, test } from "node:test";
+import { pathToFileURL } from "node:url";
+
+import { root, site } from "./support.mjs";
+
+const folder = fs.mkdtempSync(path.join(os.tmpdir(), "sbgc-module-"));
+let web;
+before(async () => {
+  const esbuild = createRequire(path.join(root, "web/package.json"))("esbuild");
+  const outfile = path.join(folder, "web.mjs");
+  const source = (name) => path.join(root, "web/src", name);
+  const contents = ["line.ts", "setup_client.ts", "wasm.ts"].map((one) => `export * from ${JSON.stringify(source(one))};`);
+  await esbuild.build({
+    stdin: { contents: contents.join("\n"), resolveDir: root },
+    bundle: true,
+    format: "esm",
+    external: ["node:*"],
+    outfile,
+  });
+  web = await import(pathToFileURL(outfile));
+});
+after(() => fs.rmSync(folder, { recursive: true }));
+
+const load = (name) => web.Wasm.load(fs.readFileSync(path.join(site, "assets/playground", `${name}.wasm`)));
+
+/** Waits for a task while virtual time passes. */
+async function during(gimbal, work) {
+  let isOver = false;
+  work.finally(() => (isOver = true)).catch(() => {});
+  while (!isOver) {
+    gimbal.run(gimbal.now + 50_000);
+    await new Promise((resolve) => setImmediate(resolve));
+  }
+  return work;
+}
+
+/** Another valid value, or undefined. */
+function other({ text, kind, names, least, most }) {
+  if (kind === "text") return "another";
+  if (kind === "enum" || kind === "flags") return names.map(([name]) => name).find((name) => name !== text);
+  if (kind !== "number") return undefined;
+  return [least ?? 0, most ?? 1].map(String).find((one) => Number(one) !== Number(text));
+}
+
+for (const [board, firmware] of [[30, 2590], [36, 2745]]) {
+  test(`every parameter of firmware ${firmware} is read, planned, written and read back`, async () => {
+    let identified;
+    const ready = new Promise((resolve) => (identified = resolve));
+    const setup = await load("setup");
+    const connect = (handlers) => new web.SetupClient(setup, handlers);
+    const gimbal = new web.EmulatedGimbal(await load("gimbal"), { board, firmware }, { identified }, undefined, connect);
+    const { client } = gimbal;
+    await during(gimbal, ready);
+    assert.deepEqual([client.board.board, client.board.firmware], [board, firmware]);
+    await during(gimbal, client.read());
+    const all = client.profile(1).flatMap(({ parameters }) => parameters);
+    assert.ok(all.length > 400, `${all.length}`);
+    const same = client.plan(Object.fromEntries(all.map(({ name, text }) => [name, text])), 1);
+    assert.deepEqual(same, { changes: [], problems: [], remarks: [] });
+
+    let written = 0;
+    for (const { name, parameters } of client.profile(1)) {
+      const pairs = parameters.map((one) => [one.name, other(one)]).filter(([, value]) => value !== undefined);
+      const values = Object.fromEntries(pairs);
+      // Some are for later firmware, some exclude each other.
+      for (const [place] of client.plan(values, 1).problems) delete values[place];
+      const { changes, problems } = client.plan(values, 1);
+      assert.deepEqual(problems, [], name);
+      assert.deepEqual(changes.map((one) => one.name).sort(), Object.keys(values).sort(), name);
+      if (changes.length === 0) continue;
+      const { ok, text } = await during(gimbal, client.write());
+      assert.ok(ok, text);
+      assert.deepEqual(client.plan(values, 1).changes, [], "it is what was written");
+      const now = new Map(client.profile(1).flatMap((topic) => topic.parameters).map((one) => [one.name, one.text]));
+      for (const one of parameters) assert.equal(now.get(one.name) !== one.text, one.name in values, one.name);
+      written += changes.length;
+      assert.equal(client.planUndo().changes.length, changes.length, name);
+    }
+    assert.ok(written > 300, `${written}`);
+  });
+}
