@@ -386,7 +386,10 @@ TEST_F(GimbalTasksTest, WhatSomethingElseTurnsIsNotOwedAStop) {
   EXPECT_EQ(result(turning_for(Order::forever)), "done");
   ASSERT_TRUE(eventually_turns());
   board.on_lost([](const Packet& request) { return test::is<msg::Control>(request); });
-  EXPECT_EQ(result({.what = StopOrder()}), "interrupted");
+  // On a busy machine, an answer may be so late that the board counts as silent.
+  std::string said = result({.what = StopOrder()});
+  for (int i = 0; i < 4 && said == "timeout"; ++i) said = result({.what = StopOrder()});
+  EXPECT_EQ(said, "interrupted");
   EXPECT_TRUE(is_at_rest_after(1));
   board.on_lost({});
   is_broker_there = false;

@@ -20,7 +20,7 @@ let bridge;
 let native;
 
 before(async () => {
-  browser = await launch(["--use-angle=swiftshader", "--enable-unsafe-swiftshader"]);
+  browser = await launch();
   server = await serve();
   board = await gimbal("--calibration-time", "10");
   native = ["-p", `tcp:127.0.0.1:${board.port}`];

@@ -14,7 +14,7 @@ import type { Axes } from "./worker_messages.js";
 
 declare const VERSION: string;
 
-/** A camera that is turned by hand brakes after this time without a command. */
+/** A camera that is turned by hand brakes after this time without a command: the client sees to it. */
 const holdSeconds = 0.3;
 const searchAgainMs = 1000;
 const reportMs = 16;
@@ -37,7 +37,6 @@ class Workshop {
   readonly #reports = new Reports(say);
   #awake = performance.now();
   #release = (): void => {}; // the lock of the port
-  #hold: ReturnType<typeof setTimeout> | undefined;
   /** What is held turns nothing until it is released: somebody has stopped the camera. */
   #isBlocked = false;
 
@@ -89,7 +88,6 @@ class Workshop {
         if (moves(request.action)) this.#needArmed();
         return this.#client.act(request.action, now());
       case "stop":
-        clearTimeout(this.#hold);
         return this.#client.act("stop", now());
       case "hold":
         return this.#turn(request.speeds);
@@ -151,17 +149,14 @@ class Workshop {
   #turn(speeds: Axes): void {
     if (isStill(speeds)) this.#isBlocked = false;
     if (!this.#connection || this.#isBlocked || (!this.#isArmed && !isStill(speeds))) return;
-    clearTimeout(this.#hold);
     const failed = (error: unknown): void => {
       this.#isBlocked = true;
-      clearTimeout(this.#hold);
       say({ kind: "notice", text: sentenceOf(error) });
     };
     if (isStill(speeds)) return void this.#client.act("stop", now()).catch(failed);
     const [roll, pitch, yaw] = speeds;
     const turn = `turn roll=${roll} pitch=${pitch} yaw=${yaw} seconds=${holdSeconds}`;
     this.#client.act(turn, now()).catch(failed);
-    this.#hold = setTimeout(() => this.#turn([0, 0, 0]), holdSeconds * 1000);
   }
 
   async #connect(place: Place, line: LineSettings | null): Promise<Connected> {
@@ -245,7 +240,6 @@ class Workshop {
     const connection = this.#connection;
     this.#place = null;
     this.#connection = null;
-    clearTimeout(this.#hold);
     if (connection && this.#isArmed) {
       const stopped = connection.client.act("stop", now());
       connection.run();
