@@ -32,7 +32,6 @@ using test::Collector;
 using test::Packet;
 using ::testing::AnyOf;
 using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
 /// A move of 40 seconds.
@@ -76,6 +75,10 @@ Order turning_for(milliseconds time) {
 Order reading() { return calling(msg::GetAnglesRequest{}); }
 
 class GimbalTasksTest : public ::testing::Test {
+ public:
+  GimbalTasksTest(const GimbalTasksTest&) = delete;
+  GimbalTasksTest& operator=(const GimbalTasksTest&) = delete;
+
  protected:
   GimbalTasksTest() : gimbal(std::make_unique<Gimbal>(io, settings())) { begin({}); }
   ~GimbalTasksTest() override {
@@ -86,8 +89,6 @@ class GimbalTasksTest : public ::testing::Test {
     gimbal.reset();
     EXPECT_TRUE(left.expired()) << "it holds itself";
   }
-  GimbalTasksTest(const GimbalTasksTest&) = delete;
-  GimbalTasksTest& operator=(const GimbalTasksTest&) = delete;
 
   /// Replaces those of an earlier gateway.
   void begin(std::optional<std::int64_t> moved_by) {
