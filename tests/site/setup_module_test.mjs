@@ -61,13 +61,13 @@ for (const [board, firmware] of [[30, 2590], [36, 2745]]) {
     await during(gimbal, ready);
     assert.deepEqual([client.board.board, client.board.firmware], [board, firmware]);
     await during(gimbal, client.read());
-    const all = client.profile(1).flatMap(({ parameters }) => parameters);
+    const all = (await client.profile(1)).flatMap(({ parameters }) => parameters);
     assert.ok(all.length > 400, `${all.length}`);
     const same = client.plan(Object.fromEntries(all.map(({ name, text }) => [name, text])), 1);
     assert.deepEqual(same, { changes: [], problems: [], remarks: [] });
 
     let written = 0;
-    for (const { name, parameters } of client.profile(1)) {
+    for (const { name, parameters } of await client.profile(1)) {
       const pairs = parameters.map((one) => [one.name, other(one)]).filter(([, value]) => value !== undefined);
       const values = Object.fromEntries(pairs);
       // Some are for later firmware, some exclude each other.
@@ -79,7 +79,7 @@ for (const [board, firmware] of [[30, 2590], [36, 2745]]) {
       const { ok, text } = await during(gimbal, client.write());
       assert.ok(ok, text);
       assert.deepEqual(client.plan(values, 1).changes, [], "it is what was written");
-      const now = new Map(client.profile(1).flatMap((topic) => topic.parameters).map((one) => [one.name, one.text]));
+      const now = new Map((await client.profile(1)).flatMap((topic) => topic.parameters).map((one) => [one.name, one.text]));
       for (const one of parameters) assert.equal(now.get(one.name) !== one.text, one.name in values, one.name);
       written += changes.length;
       assert.equal(client.planUndo().changes.length, changes.length, name);

@@ -55,9 +55,9 @@ SBGC_EXPORT(setup_read) void setup_read(double id) {
   parameters().read(id, std::string(input_text()));
 }
 
-/// The output has the parameters of a profile, by topic.
-SBGC_EXPORT(setup_profile) void setup_profile(double profile) {
-  put(parameters().profile(index_of(profile)));
+/// The output has a topic with its parameters in a profile; null behind the last topic.
+SBGC_EXPORT(setup_topic) void setup_topic(double number, double profile) {
+  put(parameters().topic(static_cast<std::size_t>(number), index_of(profile)));
 }
 
 /// Plans the values in the input, a line MESSAGE.PATH=TEXT each. The output is the plan.

@@ -2,6 +2,7 @@
 /// responses. The results are in src/setup_messages.ts.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -25,8 +26,8 @@ class Parameters {
  public:
   /// Reads all of them; reports the active profile.
   void read(double id, std::string created);
-  /// Returns the topics with the parameters of a profile, from 0.
-  Json profile(std::uint8_t index) const;
+  /// Returns a topic with its parameters in a profile, both from 0; null if there is no such topic.
+  Json topic(std::size_t number, std::uint8_t profile) const;
   /// Plans values: lines MESSAGE.PATH=TEXT.
   Json plan_values(std::string_view lines, std::uint8_t profile);
   /// Plans the contents of a file: a backup, or the elements of one of the vendor's program.

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -35,9 +36,21 @@ std::string name_of(const std::string& message, const std::string& path) {
   return message + '.' + path;
 }
 
+/// Returns the topic in which a parameter is shown; null if there is none. Finding it compares
+/// words.
+const TopicReference* topic_of(const FieldInfo& field) {
+  static std::map<const FieldInfo*, const TopicReference*> known;
+  const auto [place, is_new] = known.try_emplace(&field, nullptr);
+  if (is_new) {
+    const auto topics = tools::topics_of(field);
+    if (!topics.empty()) place->second = topics.front();
+  }
+  return place->second;
+}
+
 bool changes_line(const FieldInfo& field) {
-  const auto topics = tools::topics_of(field);
-  return !topics.empty() && topics.front()->name == line_topic;
+  const TopicReference* const topic = topic_of(field);
+  return topic != nullptr && topic->name == line_topic;
 }
 
 /// Returns a raw limit in the unit of the value.
@@ -59,10 +72,18 @@ std::string text_of(const FieldTypes& types, const Leaf& leaf) {
   return tools::settable_text(*type->second, leaf, 0, true);
 }
 
-Json to_json(const std::string& message, const FieldTypes& types, const Leaf& leaf) {
+/// The first parameter with each list of names. Others refer to it: some lists are long, and a
+/// worker that makes text does not stop the camera.
+using KnownNames = std::map<const EnumInfo*, std::string>;
+
+Json to_json(const std::string& message, const FieldTypes& types, const Leaf& leaf,
+             KnownNames& known) {
   const std::string path = to_string(leaf.path);
   Json names = Json::array();
-  if (leaf.names != nullptr) {
+  const auto [first, is_first] = known.try_emplace(leaf.names, name_of(message, path));
+  if (leaf.names != nullptr && !is_first) {
+    names = first->second;
+  } else if (leaf.names != nullptr) {
     for (const ValueInfo& value : leaf.names->values) names.push_back({value.name, value.summary});
   }
   const auto type = types.find(without_indices(path));
@@ -153,32 +174,26 @@ void Parameters::read(double id, std::string created) {
       });
 }
 
-Json Parameters::profile(std::uint8_t index) const {
-  std::vector<Json> lists(std::size(topic_references), Json::array());
+Json Parameters::topic(std::size_t number, std::uint8_t profile) const {
+  if (number >= topic_references.size()) return {};
+  const TopicReference& topic = topic_references[number];
+  Json parameters = Json::array();
+  KnownNames known;
   const Availability versions = read_.board.versions();
   for (const sbgc::Parameters& block : read_.parameters.all()) {
-    if (copy_count(block.id) != 1 && block.id.copy != index) continue;
+    if (copy_count(block.id) != 1 && block.id.copy != profile) continue;
     const AnyMessage message = message_in(block);
-    const FieldTypes types = types_of(message.type());
+    std::optional<FieldTypes> types;
     message.for_each_leaf(
         [&](const Leaf& leaf) {
-          if (!tools::is_settable(leaf.field) || leaf.kind == LeafKind::counter) return;
-          const auto topics = tools::topics_of(leaf.field);
-          if (topics.empty()) return;
-          const auto topic =
-              static_cast<std::size_t>(topics.front() - std::begin(topic_references));
-          lists[topic].push_back(to_json(block.id.message, types, leaf));
+          if (topic_of(leaf.field) != &topic || leaf.kind == LeafKind::counter) return;
+          if (!tools::is_settable(leaf.field)) return;
+          if (!types) types = types_of(message.type());
+          parameters.push_back(to_json(block.id.message, *types, leaf, known));
         },
         versions);
   }
-  Json result = Json::array();
-  for (std::size_t i = 0; i < lists.size(); ++i) {
-    if (lists[i].empty()) continue;
-    const TopicReference& topic = std::begin(topic_references)[i];
-    result.push_back(
-        {{"name", topic.name}, {"summary", topic.summary}, {"parameters", std::move(lists[i])}});
-  }
-  return result;
+  return {{"name", topic.name}, {"summary", topic.summary}, {"parameters", std::move(parameters)}};
 }
 
 Json Parameters::plan_values(std::string_view lines, std::uint8_t profile) {

@@ -38,8 +38,21 @@ export class SetupClient extends Client {
     return this.#task("setup_read", now(), progressed);
   }
 
-  profile(profile: number): Topic[] {
-    return this.#json("setup_profile", null, profile) as Topic[];
+  /** The topics and their parameters. Other work, such as a stop, may come between two topics. */
+  async profile(profile: number): Promise<Topic[]> {
+    const topics: Topic[] = [];
+    for (let number = 0; ; ++number) {
+      const topic = this.#json("setup_topic", null, number, profile) as Topic | null;
+      if (topic === null) return topics;
+      const { parameters } = topic;
+      // The module writes a list of names once; elsewhere it names the parameter that has it.
+      for (const one of parameters) {
+        const { names } = one;
+        if (typeof names === "string") one.names = parameters.find(({ name }) => name === names)?.names ?? [];
+      }
+      if (parameters.length > 0) topics.push(topic);
+      await new Promise((resolve) => setTimeout(resolve));
+    }
   }
 
   plan(values: Record<string, string>, profile: number): Plan {

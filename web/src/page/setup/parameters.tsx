@@ -63,7 +63,7 @@ export function ParametersPanel() {
     void task.run(work).then(setPlan);
   };
   const take = (file: File | undefined): void => {
-    if (!file || !isPossible) return;
+    if (!file || !isConnected) return;
     review(async () => {
       if (file.size > longestFile) throw new Error(`${file.name} is too long for a backup`);
       const content = await file.text();
