@@ -239,7 +239,7 @@ test("a parameter is edited, planned, tried, written, read by the command, and u
     assert.match(nativeValue("axes.roll.p"), /\b77\b/);
     await button(page, "Undo the last write").click();
     await write(page);
-    assert.equal(await p.inputValue(), old);
+    await page.waitForFunction(([one, value]) => one.value === value, [await p.elementHandle(), old]);
     assert.doesNotMatch(nativeValue("axes.roll.p"), /\b77\b/);
   });
 });
