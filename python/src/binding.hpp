@@ -7,6 +7,11 @@
 #include <string>
 #include <string_view>
 
+#ifdef __linux__
+#include <cxxabi.h>
+#include <unistd.h>
+#endif
+
 #include <pybind11/pybind11.h>
 
 #include <sbgc/any.hpp>
@@ -43,13 +48,27 @@ decltype(auto) with_bytes(const py::buffer& object, const Use& use) {
   return use(Bytes(static_cast<const std::uint8_t*>(view.buf), static_cast<std::size_t>(view.len)));
 }
 
-/// Calls `use` while other threads of Python run. If the interpreter ends meanwhile, it ends this
-/// thread by unwinding its stack: not the guards of pybind11, whose destructors must not throw.
+/// Waits for the interpreter. If it ends meanwhile, it ends this thread by unwinding its stack,
+/// whose destructors would release objects without its lock: the thread waits for the end of the
+/// process.
+inline void wait_for_interpreter(PyThreadState* thread) {
+#ifdef __linux__
+  try {
+    PyEval_RestoreThread(thread);
+  } catch (abi::__forced_unwind&) {
+    while (true) pause();
+  }
+#else
+  PyEval_RestoreThread(thread);
+#endif
+}
+
+/// Calls `use` while other threads of Python run.
 template <class Use>
 auto released(const Use& use) {
   PyThreadState* const thread = PyEval_SaveThread();
   auto result = use();
-  PyEval_RestoreThread(thread);
+  wait_for_interpreter(thread);
   return result;
 }
 

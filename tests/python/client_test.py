@@ -249,6 +249,28 @@ while board.angles.pitch < 3:
     assert output_of(script) == "True\n"
 
 
+def test_the_end_of_the_interpreter_while_another_thread_turns_is_no_crash() -> None:
+    script = """
+import threading, time
+import sbgc
+
+def turn():
+    with gimbal.speed_control() as control:
+        while True:
+            control.set(pitch=20)
+            time.sleep(0.01)
+
+board = sbgc.emulator(noise=0)
+gimbal = sbgc.connect(board)
+gimbal.call(sbgc.msg.MotorsOn())
+threading.Thread(target=turn, daemon=True).start()
+while board.angles.pitch < 1:
+    time.sleep(0.01)
+"""
+    for _ in range(5):
+        assert output_of(script) == ""
+
+
 def test_the_end_of_the_interpreter_does_not_wait_for_a_calibration() -> None:
     script = """
 import threading, time
