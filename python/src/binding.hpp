@@ -41,10 +41,7 @@ template <class Use>
 decltype(auto) with_bytes(const py::buffer& object, const Use& use) {
   Py_buffer view;
   if (PyObject_GetBuffer(object.ptr(), &view, PyBUF_SIMPLE) != 0) throw py::error_already_set();
-  struct Release {
-    Py_buffer& view;
-    ~Release() { PyBuffer_Release(&view); }
-  } const release{view};
+  const std::unique_ptr<Py_buffer, void (*)(Py_buffer*)> release(&view, PyBuffer_Release);
   return use(Bytes(static_cast<const std::uint8_t*>(view.buf), static_cast<std::size_t>(view.len)));
 }
 
