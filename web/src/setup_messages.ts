@@ -15,7 +15,7 @@ export type Place =
 
 /** From the page. The worker answers everything that has an `id` with `done` of the same one. */
 export type Request =
-  | Extract<playground.Request, { kind: "act" | "send" | "decode" | "doctor" | "log" }>
+  | Extract<playground.Request, { kind: "act" | "doctor" | "log" }>
   /** Opens the line, searches for its settings unless they are given, and identifies the board. */
   | { kind: "connect"; id: number; place: Place; line: LineSettings | null }
   /** Stops what this page moves, and gives the line back. */

@@ -1,5 +1,5 @@
 // The worker of the page that sets up a real gimbal: the line, its client, and what moves the camera.
-// Hidden pages sleep, their workers do not, so the dead man's switch is here.
+// Hidden pages sleep, their workers do not, so what is held is stopped here.
 
 import { Capture } from "./capture.js";
 import type { LineSettings } from "./client.js";
@@ -9,7 +9,7 @@ import { Reports, sentenceOf } from "./reports.js";
 import type { SetupClient } from "./setup_client.js";
 import type { Connected, Place, Report, Request } from "./setup_messages.js";
 import { tryOut } from "./trial.js";
-import { bytesOf, Wasm } from "./wasm.js";
+import { Wasm } from "./wasm.js";
 import type { Axes } from "./worker_messages.js";
 
 declare const VERSION: string;
@@ -91,13 +91,6 @@ class Workshop {
         return this.#client.act("stop", now());
       case "hold":
         return this.#turn(request.speeds);
-      case "send":
-        this.#needArmed();
-        return this.#client
-          .send(bytesOf(request.frame))
-          .then((reply) => this.#reports.decoded("board", reply.frame, now() / 1e6));
-      case "decode":
-        return this.#reports.decoded("host", bytesOf(request.frame), now() / 1e6);
       case "doctor":
         return this.#client.diagnose().then((findings) => ({ findings }));
       case "log":
