@@ -143,7 +143,7 @@ def _compile() -> Path:
     options = {
         "CMAKE_BUILD_TYPE": "MinSizeRel",
         # g++ needs less memory if it collects its garbage early.
-        "CMAKE_CXX_FLAGS": "-ffunction-sections -fdata-sections --param=ggc-min-expand=20"
+        "CMAKE_CXX_FLAGS": "-ffunction-sections -fdata-sections --param=ggc-min-expand=60"
         f" -ffile-prefix-map={ROOT}=.",
         "CMAKE_INTERPROCEDURAL_OPTIMIZATION": "ON",
         "CMAKE_UNITY_BUILD": "ON",
