@@ -130,7 +130,7 @@ def test_all_changes(folder: Path) -> None:
         ("broker", "key-file", '"ca.key"', "is not the key of the certificate"),
         ("broker", "most-waiting", "2.5", "a whole number from 1"),
         ("gimbal.front", "port", '"udp:"', "the port is missing"),
-        ("gimbal.front", "password-file", '"a\\u0000b"', "no such escape"),
+        ("gimbal.front", "password-file", '"a\\u0000b"', "a text with a NUL"),
     ],
 )
 def test_the_reason(folder: Path, section: str, key: str, value: str, reason: str) -> None:

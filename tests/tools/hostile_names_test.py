@@ -59,7 +59,9 @@ def test_names_of_files(folder: Path) -> None:
 def test_names_of_gimbals(folder: Path) -> None:
     with emulated_gimbal() as gimbal:
         file = folder / "config.toml"
-        file.write_bytes(b"[gimbal.'" + NAME + b"']\nport='" + gimbal.address.encode() + b"'\n")
+        characters = NAME.decode(errors="ignore") + "\u202e"
+        name = "".join(f"\\u{ord(one):04x}" for one in characters)
+        file.write_text(f"[gimbal.\"{name}\"]\nport='{gimbal.address}'\n")
         done = subprocess.run(
             [PROGRAM, "info", "-g", "none"], env={"SBGC_CONFIG": str(file)}, capture_output=True
         )

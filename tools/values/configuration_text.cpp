@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdint>
-#include <map>
-#include <set>
+#include <cstddef>
 #include <utility>
 
 #include <fmt/format.h>
+#include <toml++/toml.h>
 
 #include <sbgc/internal/suggestions.hpp>
 
@@ -19,275 +18,120 @@ namespace sbgc::tools {
 
 namespace {
 
-// The name of a section is handled for each of its keys.
-constexpr std::size_t longest_configuration_name = 256;
-// Errors, and the names of other programs, hold values.
-constexpr std::size_t longest_configuration_value = 4096;
 constexpr std::size_t most_configuration_levels = 16;
+// Names with dots are nested tables, for each of which toml++ needs room on the stack.
+constexpr std::ptrdiff_t most_dots_of_line = 1000;
 
-bool is_configuration_space(char c) { return c == ' ' || c == '\t'; }
-
-/// Also what TOML wants in quotes, except what has a meaning.
-bool belongs_to_bare_word(char c) {
-  return static_cast<unsigned char>(c) > ' ' && c != '\x7f' &&
-         std::string_view("=.,[]{}#\"'").find(c) == std::string_view::npos;
+ConfigurationPlace place_of(const toml::source_region& region) {
+  return {region.begin.line, region.begin.column};
 }
 
-void append_utf8(std::string& text, std::uint32_t code) {
-  const auto tail = [&](unsigned shift) {
-    text += static_cast<char>(0x80U | ((code >> shift) & 0x3FU));
-  };
-  if (code < 0x80) {
-    text += static_cast<char>(code);
-  } else if (code < 0x800) {
-    text += static_cast<char>(0xC0U | (code >> 6U));
-    tail(0);
-  } else if (code < 0x10000) {
-    text += static_cast<char>(0xE0U | (code >> 12U));
-    tail(6), tail(0);
-  } else {
-    text += static_cast<char>(0xF0U | (code >> 18U));
-    tail(12), tail(6), tail(0);
+/// Says what to correct, for what people write most often; "" for other errors of toml++.
+std::string_view correction_of(std::string_view text, ConfigurationPlace place,
+                               std::string_view error) {
+  for (std::size_t line = 1; line < place.line; ++line) text.remove_prefix(text.find('\n') + 1);
+  text = text.substr(0, text.find('\n'));
+  const auto has = [&](std::string_view words) { return error.find(words) != error.npos; };
+  if (text.substr(std::min(text.find_first_not_of(" \t"), text.size())).starts_with(';')) {
+    return "; comments begin with '#'";
   }
+  if (has("parsing value:") || has("integer:") || has("float:")) return "; texts need quotes";
+  const bool is_name = has("table header: expected") || has("parsing key: expected");
+  return is_name ? "; names with other characters than A-Z a-z 0-9 _ - need quotes" : "";
 }
 
 }  // namespace
 
 class ConfigurationText::Parser {
  public:
-  Parser(ConfigurationText& into, std::string_view text) : into_(into), text_(text) {}
+  explicit Parser(ConfigurationText& into) : into_(into) {}
 
-  void parse() {
-    begin_section({}, {});
-    while (skip_to_something(true)) {
-      if (peek() == '[') {
-        parse_section();
-      } else {
-        parse_key();
-      }
-      skip_spaces();
-      if (peek() == '#') skip_line();
-      if (!is_at_end() && peek() != '\n') reject("here the line should end");
+  void parse(std::string_view text) {
+    check_lines(text);
+    try {
+      add(toml::parse(text), {}, {});
+    } catch (const toml::parse_error& error) {
+      const ConfigurationPlace place = place_of(error.source());
+      const std::string_view reason = error.description();
+      into_.reject(place, fmt::format("{}{}", reason, correction_of(text, place, reason)));
+    }
+    // toml++ sorts them by name.
+    std::ranges::sort(into_.sections_, {}, [](const ConfigurationSection& section) {
+      return std::pair(!section.path.empty(), section.place);
+    });
+    for (ConfigurationSection& section : into_.sections_) {
+      std::ranges::sort(section.keys, {}, &ConfigurationKey::place);
     }
   }
 
  private:
-  using Place = ConfigurationPlace;
-
-  bool is_at_end() const { return at_ == text_.size(); }
-  /// The next character; at the end, and for '\r' before it, that of the end of a line.
-  char peek() const {
-    if (is_at_end()) return '\n';
-    const bool is_line_end = text_[at_] == '\r' && at_ + 1 < text_.size() && text_[at_ + 1] == '\n';
-    return is_line_end ? '\n' : text_[at_];
-  }
-  char take() {
-    const char c = text_[at_++];
-    if (c == '\n') {
-      ++line_;
-      line_start_ = at_;
-    }
-    return c;
-  }
-  Place place() const { return {line_, at_ - line_start_ + 1}; }
-  [[noreturn]] void reject(const std::string& reason) const { into_.reject(place(), reason); }
-
-  void skip_spaces() {
-    while (!is_at_end() && is_configuration_space(text_[at_])) ++at_;
-  }
-  void skip_line() {
-    while (!is_at_end() && peek() != '\n') ++at_;
-  }
-  /// Skips empty lines and comments. Returns false at the end.
-  bool skip_to_something(bool is_at_line_start = false) {
-    while (!is_at_end()) {
-      skip_spaces();
-      if (peek() == '#' || (is_at_line_start && peek() == ';')) skip_line();
-      if (is_at_end()) return false;
-      if (peek() != '\n') return true;
-      take_line_end();
-    }
-    return false;
-  }
-  void take_line_end() {
-    if (text_[at_] == '\r') ++at_;
-    take();
-  }
-  void expect(char wanted, const char* what) {
-    skip_spaces();
-    if (is_at_end() || peek() != wanted) reject(fmt::format("here {} is missing", what));
-    take();
-  }
-
-  std::string parse_bare_word() {
-    const std::size_t start = at_;
-    while (!is_at_end() && belongs_to_bare_word(text_[at_])) ++at_;
-    return std::string(text_.substr(start, at_ - start));
-  }
-
-  std::string parse_name() {
-    skip_spaces();
-    const Place start = place();
-    std::string name = peek() == '"' || peek() == '\'' ? parse_quoted() : parse_bare_word();
-    if (name.empty()) {
-      into_.reject(start, is_at_end() ? "here a name is missing"
-                                      : fmt::format("here a name is missing, before '{}'",
-                                                    text_.substr(start_of(start), 1)));
-    }
-    if (name.size() > longest_configuration_name) {
-      into_.reject(start, fmt::format("a name longer than {} bytes", longest_configuration_name));
-    }
-    return name;
-  }
-  std::size_t start_of(Place place) const { return line_start_ + place.column - 1; }
-
-  std::vector<std::string> parse_path() {
-    std::vector<std::string> path{parse_name()};
-    for (skip_spaces(); peek() == '.'; skip_spaces()) {
-      take();
-      if (path.size() == most_configuration_levels) {
-        reject(fmt::format("nested deeper than {} levels", most_configuration_levels));
+  void check_lines(std::string_view text) const {
+    for (std::size_t line = 1; !text.empty(); ++line) {
+      const std::size_t size = std::min(text.find('\n'), text.size());
+      if (std::ranges::count(text.substr(0, size), '.') > most_dots_of_line) {
+        into_.reject({line, 1}, fmt::format("a line with more than {} dots", most_dots_of_line));
       }
-      path.push_back(parse_name());
+      text.remove_prefix(std::min(size + 1, text.size()));
     }
-    return path;
   }
 
-  void parse_section() {
-    const Place start = place();
-    take();
-    if (peek() == '[') reject("tables in lists, [[…]], have no meaning here");
-    std::vector<std::string> path = parse_path();
-    expect(']', "']'");
-    if (const auto same = sections_.find(path); same != sections_.end()) {
-      const ConfigurationSection& first = into_.sections_[same->second];
-      into_.reject(start, fmt::format("{} begins for the second time, first in line {}",
-                                      first.name(), first.place.line));
+  void add(const toml::table& table, const std::vector<std::string>& path, ConfigurationPlace at) {
+    if (path.size() > most_configuration_levels) {
+      into_.reject(at, fmt::format("nested deeper than {} levels", most_configuration_levels));
     }
-    current_ = begin_section(std::move(path), start);
-  }
-
-  std::size_t begin_section(std::vector<std::string> path, Place at) {
-    const std::size_t index = into_.sections_.size();
-    sections_.emplace(path, index);
-    into_.sections_.push_back({std::move(path), at, {}});
-    return index;
-  }
-
-  void parse_key() {
-    ConfigurationKey key{.place = place()};
-    std::vector<std::string> path = parse_path();
-    key.name = std::move(path.back());
-    path.pop_back();
-    expect('=', "'='");
-    parse_values(key);
-    const std::size_t section = section_below(path, key.place);
-    if (!keys_.emplace(section, key.name).second) {
-      into_.reject(key.place, fmt::format("'{}' is set for the second time", key.name));
-    }
-    into_.sections_[section].keys.push_back(std::move(key));
-  }
-
-  /// The section of a key: the current one, or for a key with dots, one below it.
-  std::size_t section_below(const std::vector<std::string>& steps, Place at) {
-    if (steps.empty()) return current_;
-    std::vector<std::string> path = into_.sections_[current_].path;
-    path.insert(path.end(), steps.begin(), steps.end());
-    if (const auto same = sections_.find(path); same != sections_.end()) return same->second;
-    return begin_section(std::move(path), at);
-  }
-
-  void parse_values(ConfigurationKey& key) {
-    skip_spaces();
-    if (peek() != '[') {
-      key.values.push_back(parse_value());
-      return;
-    }
-    take();
-    key.is_list = true;
-    while (true) {
-      skip_to_something();
-      if (is_at_end()) reject("here the ']' of the list is missing");
-      if (peek() == ']') break;
-      key.values.push_back(parse_value());
-      skip_to_something();
-      if (is_at_end() || (peek() != ',' && peek() != ']')) reject("here ',' or ']' is missing");
-      if (peek() == ',') take();
-    }
-    take();
-  }
-
-  ConfigurationValue parse_value() {
-    using Kind = ConfigurationValue::Kind;
-    const Place start = place();
-    if (peek() == '"' || peek() == '\'') return {Kind::text, parse_quoted(), start};
-    if (peek() == '[' || peek() == '{') reject("lists in lists, and tables, have no meaning here");
-    std::string word = parse_bare_word();
-    while (!is_at_end() && peek() == '.') {
-      take();
-      word += '.' + parse_bare_word();
-    }
-    if (word == "true" || word == "false") return {Kind::truth, std::move(word), start};
-    double ignored{};
-    const char* const end = word.data() + word.size();
-    const auto read = std::from_chars(word.data(), end, ignored);
-    if (!word.empty() && read.ec == std::errc{} && read.ptr == end) {
-      return {Kind::number, std::move(word), start};
-    }
-    into_.reject(start, word.empty() ? "here a value is missing"
-                                     : fmt::format("texts stand in quotes: \"{}\"", word));
-  }
-
-  std::string parse_quoted() {
-    const Place start = place();
-    const char quote = take();
-    std::string result;
-    while (!is_at_end() && peek() != '\n' && peek() != quote) {
-      const char c = take();
-      if (c == '\\' && quote == '"') {
-        parse_escape(result);
+    ConfigurationSection section{path, at, {}};
+    bool has_sections = false;
+    for (const auto& [key, node] : table) {
+      if (const toml::table* const inner = node.as_table()) {
+        has_sections = true;
+        std::vector<std::string> inner_path = path;
+        inner_path.push_back(checked(std::string(key), place_of(key.source())));
+        add(*inner, inner_path, place_of(inner->source()));
       } else {
-        result += c;
+        section.keys.push_back(key_of(key, node));
       }
     }
-    if (is_at_end() || peek() == '\n') into_.reject(start, "this text has no end");
-    if (result.size() > longest_configuration_value) {
-      into_.reject(start, fmt::format("a text longer than {} bytes", longest_configuration_value));
+    // Names before the last dot of a section are none.
+    if (path.empty() || !section.keys.empty() || !has_sections) {
+      into_.sections_.push_back(std::move(section));
     }
-    take();
+  }
+
+  ConfigurationKey key_of(const toml::key& key, const toml::node& node) const {
+    const ConfigurationPlace place = place_of(key.source());
+    ConfigurationKey result{checked(std::string(key), place), place, node.is_array(), {}};
+    if (!node.is_array()) {
+      result.values.push_back(value_of(node));
+      return result;
+    }
+    for (const toml::node& value : *node.as_array()) result.values.push_back(value_of(value));
     return result;
   }
 
-  void parse_escape(std::string& result) {
-    constexpr std::string_view letters = "btnfr\"\\";
-    constexpr std::string_view meanings = "\b\t\n\f\r\"\\";
-    const char letter = is_at_end() ? '\n' : take();
-    if (const auto index = letters.find(letter); index != std::string_view::npos) {
-      result += meanings[index];
-      return;
+  ConfigurationValue value_of(const toml::node& node) const {
+    using Kind = ConfigurationValue::Kind;
+    const ConfigurationPlace place = place_of(node.source());
+    if (const auto* const text = node.as_string()) {
+      return {Kind::text, checked(text->get(), place), place};
     }
-    const std::size_t digits = letter == 'u' ? 4 : letter == 'U' ? 8 : 0;
-    const std::string_view hex = text_.substr(at_, digits);
-    std::uint32_t code{};
-    constexpr int base = 16;
-    const auto read = std::from_chars(hex.data(), hex.data() + hex.size(), code, base);
-    const bool is_code = digits != 0 && hex.size() == digits &&
-                         read.ptr == hex.data() + hex.size() && code != 0 && code <= 0x10FFFF &&
-                         (code < 0xD800 || code > 0xDFFF);
-    if (!is_code) reject("no such escape; in '…', a backslash is a backslash");
-    at_ += digits;
-    append_utf8(result, code);
+    if (const auto* const is = node.as_boolean()) {
+      return {Kind::truth, is->get() ? "true" : "false", place};
+    }
+    if (const auto* const number = node.as_integer()) {
+      return {Kind::number, fmt::format("{}", number->get()), place};
+    }
+    if (const auto* const number = node.as_floating_point()) {
+      return {Kind::number, fmt::format("{}", number->get()), place};
+    }
+    into_.reject(place, "dates, lists in lists and tables in lists have no meaning here");
+  }
+
+  const std::string& checked(const std::string& text, ConfigurationPlace place) const {
+    if (text.find('\0') != std::string::npos) into_.reject(place, "a text with a NUL");
+    return text;
   }
 
   ConfigurationText& into_;
-  std::string_view text_;
-  std::size_t at_ = 0;
-  std::size_t line_ = 1;
-  std::size_t line_start_ = 0;
-  // By their path and their name, so that the time does not grow with the square of their number.
-  std::map<std::vector<std::string>, std::size_t> sections_;
-  std::set<std::pair<std::size_t, std::string>> keys_;
-  std::size_t current_ = 0;
 };
 
 std::string ConfigurationSection::name() const {
@@ -296,7 +140,7 @@ std::string ConfigurationSection::name() const {
 
 ConfigurationText::ConfigurationText(std::string_view text, std::string file)
     : file_(std::move(file)) {
-  Parser(*this, text).parse();
+  Parser(*this).parse(text);
 }
 
 void reject_configuration(const std::string& file, ConfigurationPlace place,

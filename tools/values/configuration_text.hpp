@@ -1,9 +1,9 @@
-/// Reads the text of configuration files: the part of TOML that they need, with the place of
-/// everything. Sections, keys with one level or several, texts in quotes, numbers, true and false,
-/// and lists of these. A line may also begin with ';' to be a comment.
+/// Reads configuration files in TOML, with the place of everything. Values are texts, numbers, true
+/// and false, and lists of these.
 #pragma once
 
 #include <chrono>
+#include <compare>
 #include <cstddef>
 #include <initializer_list>
 #include <optional>
@@ -13,10 +13,12 @@
 
 namespace sbgc::tools {
 
-/// Both count from 1; columns count bytes.
+/// Both count from 1; columns count characters.
 struct ConfigurationPlace {
   std::size_t line = 1;
   std::size_t column = 1;
+
+  auto operator<=>(const ConfigurationPlace&) const = default;
 };
 
 /// Throws CommandError with "file:line:column: reason".
