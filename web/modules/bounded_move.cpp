@@ -16,6 +16,8 @@ namespace sbgc::web {
 
 namespace {
 
+using detail::degrees_between;
+
 /// How long the camera turns after the last command.
 constexpr std::chrono::milliseconds bound{500};
 constexpr Duration interval = milliseconds(50);
@@ -27,12 +29,6 @@ constexpr double least_speed = 1;  // deg/s
 /// A camera that has not moved by more than this, in degrees, does not turn.
 constexpr double noise = 0.2;
 constexpr Duration patience = seconds(1);
-
-/// Angles wrap around after two turns in each direction.
-double degrees_between(msg::Angle14 from, msg::Angle14 to) {
-  const auto raw = static_cast<std::uint16_t>(to.raw() - from.raw());
-  return msg::Angle14(static_cast<std::int16_t>(raw)).degrees();
-}
 
 /// True if the board turns an axis that has a speed.
 bool is_turning(const msg::GetAngles& state, const Axes<msg::ControlSpeed>& speeds) {

@@ -16,6 +16,7 @@
 #include <sbgc/client/task.hpp>
 #include <sbgc/enums.hpp>
 #include <sbgc/result.hpp>
+#include <sbgc/units.hpp>
 
 namespace sbgc::detail {
 
@@ -25,6 +26,13 @@ constexpr Duration duration_of(std::chrono::milliseconds time) noexcept {
 
 constexpr std::chrono::milliseconds whole_milliseconds(Duration duration) noexcept {
   return std::chrono::milliseconds(duration.us / 1000);
+}
+
+/// Returns the signed difference of two angles in degrees. They wrap around after two turns in each
+/// direction.
+constexpr double degrees_between(msg::Angle14 from, msg::Angle14 to) noexcept {
+  const auto raw = static_cast<std::uint16_t>(to.raw() - from.raw());
+  return msg::Angle14(static_cast<std::int16_t>(raw)).degrees();
 }
 
 /// The deadline of a task, to the millisecond, as the timeouts of its calls.

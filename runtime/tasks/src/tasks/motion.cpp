@@ -23,13 +23,7 @@ namespace sbgc {
 namespace {
 
 using detail::axis_names;
-
-/// Returns the signed difference of two angles, which wrap around after two turns in each
-/// direction.
-double degrees_between(msg::Angle14 from, msg::Angle14 to) noexcept {
-  const auto raw = static_cast<std::uint16_t>(to.raw() - from.raw());
-  return msg::Angle14(static_cast<std::int16_t>(raw)).degrees();
-}
+using detail::degrees_between;
 
 /// How often a target is repeated while nothing shows that the board has it.
 constexpr Duration repetition = milliseconds(100);
