@@ -1,4 +1,4 @@
-// What the fuzzers of text share: bombs, and a limit of time.
+// Bombs and a limit of time, for the fuzzers of text.
 #pragma once
 
 #include <algorithm>

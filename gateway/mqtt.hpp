@@ -136,7 +136,7 @@ class MqttConnection {
   std::atomic<bool> is_closing_{false};
   std::atomic<bool> is_breaking_{false};
   std::atomic<Clock::rep> last_heard_{};
-  // Of the thread:
+  // Only the thread uses these:
   std::size_t attempts_ = 0;
   bool is_connected_ = false;
   bool has_more_ = false;    // to do

@@ -66,7 +66,7 @@ const licenses = [...new Set(packages)].sort().map((name) => {
 });
 fs.writeFileSync(path.join(output, "licenses.txt"), licenses.join(`\n${"-".repeat(80)}\n\n`));
 
-// What the pages need without a network.
+// The files that the pages need without a network.
 const files = [
   "playground.html",
   "setup.html",

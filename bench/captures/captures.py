@@ -28,7 +28,7 @@ construct: Any = import_module("construct")
 sbgc: Any = import_module("sbgc")
 
 MESSAGES, REPETITIONS = 200_000, 9
-# As many as construct parses in a few seconds.
+# construct parses this many in a few seconds.
 PARSED = 4_000
 TYPES = {
     "i8": construct.Int8sl,

@@ -45,7 +45,7 @@ const std::array qualities{
     Quality{"1 % lost, 0.5 % doubled", {.lost = 1e-2, .duplicated = 5e-3}},
 };
 
-/// What became of the answers.
+/// The fate of the answers.
 struct Counts {
   std::uint64_t right{};
   std::uint64_t wrong{};

@@ -1,4 +1,4 @@
-// What a user compiles who needs one message as JSON.
+// The program of a user who needs one message as JSON.
 
 #include <sbgc/json.hpp>
 #include <sbgc/meta/realtime.hpp>

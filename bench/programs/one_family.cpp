@@ -1,4 +1,4 @@
-// What a user compiles who needs one family of messages.
+// The program of a user who needs one family of messages.
 
 #include <sbgc/message.hpp>
 #include <sbgc/messages/control.hpp>

@@ -22,7 +22,7 @@ struct TurningAxis {
   double sign{};
 };
 
-/// Those of roll, pitch and yaw: forward, left, down. All signs of angles follow from them.
+/// The axes of roll, pitch and yaw: forward, left, down. All signs of angles follow from them.
 inline constexpr std::array<TurningAxis, 3> turning_axes{{{1, 1}, {0, -1}, {2, -1}}};
 
 /// Returns how fast a rotation turns about the axes of roll, pitch and yaw.

@@ -211,7 +211,7 @@ class Regular {
   std::uint8_t number_ = 0;
 };
 
-/// What a stranger sends.
+/// The bytes that a stranger sends.
 class Stranger {
  public:
   explicit Stranger(Input& input) : input_(input) {
@@ -228,7 +228,8 @@ class Stranger {
     }
   }
 
-  /// What it sends first; it waits for a response before it sends the text, unless this is empty.
+  /// The bytes that it sends first; it waits for a response before it sends the text, unless this
+  /// is empty.
   const std::string& request() const { return request_; }
   const std::string& text() const { return text_; }
   bool is_good() const { return is_good_; }

@@ -1,4 +1,4 @@
-"""What `sbgc gateway` does when a disk is full, and when a broker refuses messages."""
+"""Tests of `sbgc gateway` when a disk is full, and when a broker refuses messages."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What `sbgc gateway` says of a broker with which there is no TLS."""
+"""Tests of the messages of `sbgc gateway` about a broker without TLS."""
 
 from __future__ import annotations
 

@@ -11,7 +11,7 @@
 
 namespace {
 
-/// What `sbgc --version` prints.
+/// The text of `sbgc --version`.
 std::string about() {
   const sbgc::msg::FirmwareVersion newest(sbgc::newest_firmware);
   char model[17]{};

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::array directions{Direction::to_board, Direction::from_board};
 
-/// What is known of an id in one direction.
+/// The messages of an id in one direction.
 struct Command {
   const char* name = nullptr;  ///< null for an unknown one; that of the other direction if need be
   std::vector<const MessageType*> forms{};

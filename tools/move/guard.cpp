@@ -67,7 +67,7 @@ Guard::Guard() {
   channel_ = io::detail::Descriptor(ends[0]);
   const io::detail::Descriptor end_of_guard(ends[1]);
   const GuardSetup setup(ends[1]);
-  // What `ps` shows.
+  // `ps` shows this.
   std::string name(guard_name);
   std::string purpose = fmt::format("stops the gimbal if process {} dies", getpid());
   const std::array<char*, 3> arguments{name.data(), purpose.data(), nullptr};

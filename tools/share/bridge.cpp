@@ -83,7 +83,7 @@ class BridgeService {
   }
 
  private:
-  /// What follows the '#' of an address never leaves the browser.
+  /// A browser keeps the part of an address after '#' to itself.
   static std::string page_line(const std::string& address, const BridgeOptions& options) {
     const std::string secret = options.is_token_private ? "" : "#token=" + options.access.token;
     return fmt::format("bridge: http{}/setup.html{}\n", address.substr(address.find(':')), secret);

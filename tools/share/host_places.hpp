@@ -47,7 +47,7 @@ class HostPlaces {
   /// Returns false for a request that its place does not serve.
   bool serves(std::size_t port, const RawRequest& request);
   bool has_none(std::size_t port) const { return hosts_.at(port).place == Place::none; }
-  /// Those whose time is over.
+  /// The places whose time is over.
   std::vector<std::size_t> overdue(Instant now) const;
 
  private:

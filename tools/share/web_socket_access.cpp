@@ -26,7 +26,7 @@ bool consists_of(std::string_view text, std::string_view characters) {
   return !text.empty() && text.find_first_not_of(characters) == std::string_view::npos;
 }
 
-/// As a browser sends it: no path, not even a slash, and no capital letters.
+/// In the form that a browser sends: no path, not even a slash, and no capital letters.
 bool is_origin(std::string_view text) {
   static constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz";
   static constexpr std::string_view scheme = "abcdefghijklmnopqrstuvwxyz0123456789+.-";

@@ -1,4 +1,4 @@
-/// What a request does to a board.
+/// The effects of a request on a board.
 #pragma once
 
 #include <sbgc/any.hpp>

@@ -1,4 +1,4 @@
-/// What a page can tell a gimbal to do, as text.
+/// The actions of a page, as text.
 ///
 ///     move pitch=-30 yaw=20 speed=40    angles in degrees, speed in deg/s; both may be omitted
 ///     turn yaw=20 seconds=3             speeds in deg/s, for at most 60 seconds [0.5]

@@ -1,4 +1,4 @@
-/// What a page does with the board beside motion: parameters, calibrations, tuning, frequency
+/// The work of a page with the board, except motion: parameters, calibrations, tuning, frequency
 /// responses. The results are in src/setup_messages.ts.
 #pragma once
 

@@ -1,4 +1,4 @@
-// What the WebAssembly modules take and say.
+// The input and output of the WebAssembly modules.
 
 /** A board as `sbgc emulate` makes it; what is missing has its usual value. */
 export interface EmulatorOptions {

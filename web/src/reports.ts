@@ -1,4 +1,4 @@
-// What the workers of both pages report by themselves: the state of the gimbal, and decoded frames.
+// The reports that the workers of both pages send by themselves: the state of the gimbal, and decoded frames.
 
 import { Log } from "./log.js";
 import type { Direction } from "./messages.js";

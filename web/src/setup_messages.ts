@@ -1,4 +1,4 @@
-// What the page that sets up a real gimbal and its worker tell each other, besides worker_messages.ts.
+// The messages between the page that sets up a real gimbal and its worker, besides worker_messages.ts.
 // The worker owns the line, the client, the clock, and an emulated board for trials.
 
 import type { LineSettings } from "./client.js";

@@ -295,7 +295,7 @@ class Workshop {
   }
 }
 
-// What a worker does not listen to when it arrives is lost; the page waits for `ready`.
+// A message that arrives before the worker listens is lost, so the page waits for `ready`.
 Wasm.load(new URL("./setup.wasm", import.meta.url)).then(
   (setup) => {
     new Workshop(setup);

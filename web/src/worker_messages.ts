@@ -1,4 +1,4 @@
-// What the playground's page and its worker tell each other. The worker owns the emulated board, the
+// The messages between the playground's page and its worker. The worker owns the emulated board, the
 // client and the clock; nothing here knows the protocol.
 
 import type { EmulatorOptions, Finding } from "./modules.js";

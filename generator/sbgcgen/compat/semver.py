@@ -27,7 +27,7 @@ def parse(text: str) -> Version:
 
 
 class Step(enum.Enum):
-    """What the changes since a release mean for its users, the worst first."""
+    """The consequences of changes since a release for its users, the worst first."""
 
     BREAK = "break"
     ADDITION = "extend"

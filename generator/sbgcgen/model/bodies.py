@@ -174,7 +174,7 @@ class Alternative:
 
 @dataclass(frozen=True)
 class Later:
-    """What a field means from a firmware on: everything, also what is as before."""
+    """The whole meaning of a field from a firmware on, with what has not changed."""
 
     since: Availability
     type: Type

@@ -12,7 +12,7 @@ from sbgcgen.model.conditions import Condition
 
 @dataclass(frozen=True)
 class EffectKind:
-    """What a request may do. It may set something or somebody in `motion`, or lose `data` or the `line`."""
+    """The possible effects of a request. It may set something or somebody in `motion`, or lose `data` or the `line`."""
 
     word: str
     summary: str
@@ -22,7 +22,7 @@ class EffectKind:
 # The effects of every protocol: nothing, and what nobody knows.
 READS = EffectKind("reads", "Reads: changes nothing.")
 UNKNOWN = EffectKind("unknown", "Unknown: the specification does not describe the command.")
-# Those of a protocol that names no others, the most harmless first.
+# A protocol that names no others has these, the most harmless first.
 USUAL_EFFECTS: tuple[EffectKind, ...] = (
     READS,
     EffectKind("sets", "Sets temporarily: a restart of the board discards the change."),

@@ -67,7 +67,7 @@ class AskedForms:
 
 @dataclass(frozen=True)
 class Topic:
-    """What parameters are about; `fields` are their names, `words` other names of the topic."""
+    """A topic of parameters; `fields` are their names, `words` other names of the topic."""
 
     name: str
     summary: str

@@ -198,7 +198,7 @@ class Quantity:
 
 @dataclass(frozen=True)
 class Former:
-    """What something meant before a firmware."""
+    """An earlier meaning, until a firmware."""
 
     firmware: Availability
     summary: str

@@ -69,7 +69,7 @@ class Spec:
 
     @property
     def command_prefix(self) -> str:
-        """What the names of all commands begin with."""
+        """The common prefix of the names of commands."""
         return str(self.main.get("protocol", {}).get("command_prefix", "CMD_"))
 
     @cached_property

@@ -24,7 +24,7 @@ from sbgcgen.views.rows import Row, rows_of
 
 @dataclass
 class News:
-    """What one version added, changed and ended; `since` is that version alone.
+    """The additions, changes and ends of one version; `since` is that version alone.
 
     `forms` are new messages of older commands. `changed` are values, and `meanings` fields, whose
     meaning changed.

@@ -1,4 +1,4 @@
-"""What the code of an example, in any language, needs to know about numbers on the wire."""
+"""Facts about numbers on the wire for the code of an example, in any language."""
 
 from __future__ import annotations
 

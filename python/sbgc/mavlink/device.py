@@ -101,7 +101,7 @@ class Device:
         return {"flags": self._flags(), "failure_flags": self._failures(sample), **fields}
 
     def _flags(self) -> int:
-        """What the gimbal does. Yaw is always told in the frame of the vehicle."""
+        """The state of the gimbal. Yaw is always in the frame of the vehicle."""
         found, heading = Flags.YAW_IN_VEHICLE_FRAME, self.head.autopilot.heading
         found |= 0 if isnan(heading) else Flags.ACCEPTS_YAW_IN_EARTH_FRAME
         wishes = self.head.steering.wishes

@@ -1,4 +1,4 @@
-"""What the program is told, by options or by a file, whose keys are the same; the guide shows one."""
+"""The settings of the program, from options or a file with the same keys; the guide shows one."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ IN_FILE.add_argument("--vehicle", default="")
 
 
 class Settings:
-    """What argparse has found: by the names of vehicles, and those of gimbals."""
+    """The results of argparse, by the names of vehicles and gimbals."""
 
     def __init__(self) -> None:
         self.vehicles: dict[str, Namespace] = {}

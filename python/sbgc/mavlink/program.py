@@ -40,7 +40,7 @@ async def run(settings: Settings) -> None:
     finally:
         for task in tasks:
             task.cancel()
-        # Who leaves earlier cancels the stop of a rate.
+        # Leaving earlier would cancel the stop of a rate.
         await asyncio.gather(*tasks, return_exceptions=True)
     for task in tasks:
         if not task.cancelled():

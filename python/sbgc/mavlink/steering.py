@@ -27,7 +27,7 @@ STOP = 0.15  # seconds that a camera takes to stop
 
 
 class Wish(NamedTuple):
-    """What an axis shall do: turn to an angle, or with a rate. Neither: it holds still."""
+    """The order for an axis: turn to an angle, or with a rate. With neither, it holds still."""
 
     follows: bool  # the frame of the gimbal; else it is stabilized, yaw from where the board began
     angle: float = nan  # where a rate began, if it has
@@ -37,7 +37,7 @@ class Wish(NamedTuple):
 
 
 class Sample(NamedTuple):
-    """What the board has measured."""
+    """The measurements of the board."""
 
     at: float  # time.monotonic()
     angles: Angles  # the camera: to the horizon, yaw to where the board began
@@ -91,7 +91,7 @@ class Steering:
         return Wish(wish.follows, start, rate, at=now)
 
     def control(self, sample: Sample, autopilot: Autopilot) -> ControlExt:
-        """What the board shall be told now."""
+        """The next order for the board."""
         modes, targets = [], []
         for number, wish in enumerate(self.wishes):
             speed = abs(wish.rate) or self._speed

@@ -246,7 +246,7 @@ class ValueParser {
     const auto highest = type_.is_wide
                              ? static_cast<double>(std::numeric_limits<std::uint64_t>::max())
                              : static_cast<double>(type_.highest);
-    // As a double, the highest integer of 64 bits is one above it.
+    // Rounded to a double, the highest integer of 64 bits is one larger.
     if (raw < lowest || raw > highest || (type_.size == 8 && raw == highest)) {
       fail(shown(text) + " does not fit: " + in_unit(lowest, &unit) + " to " +
            in_unit(highest, &unit));

@@ -354,7 +354,7 @@ Window draw_charts(Screen& screen, View& view, const GimbalSnapshot& gimbal) {
       Chart{"battery", "V", &gimbal.battery, 0.5},
       Chart{"current", "mA", &gimbal.current, 100},
   };
-  // As many columns as are wide enough to read.
+  // No more columns than are wide enough to read.
   constexpr std::size_t narrowest = 36;
   const std::size_t columns = std::clamp<std::size_t>(screen.width() / narrowest, 1, 4);
   const std::size_t rows = (charts.size() + columns - 1) / columns;

@@ -90,7 +90,7 @@ export function MovePanel({ values, set }: PanelProps) {
     const { asked } = session;
     timer.current = window.setTimeout(() => {
       timer.current = 0;
-      // What the visitor has asked for in the meantime is newer.
+      // The visitor may have asked for something else in the meantime.
       if (session.asked === asked) run(moveOf(newest.current), "Move");
     }, pause);
   };

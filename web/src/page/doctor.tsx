@@ -1,4 +1,4 @@
-// What `sbgc doctor` says about the gimbal.
+// The findings of `sbgc doctor` about the gimbal.
 
 import { useState } from "preact/hooks";
 

@@ -1,4 +1,4 @@
-// What the emulated gimbal can be: the motions of its frame, and its faults, in the forms of
+// Settings of the emulated gimbal: the motions of its frame, and its faults, in the forms of
 // `sbgc emulate`.
 
 import type { EmulatorOptions } from "../modules.js";

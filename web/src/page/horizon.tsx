@@ -1,4 +1,4 @@
-// What the camera sees, and what it would see if it were fixed to the frame: sky, ground with lines
+// The view of the camera, and the view that it would have fixed to the frame: sky, ground with lines
 // to its headings, and posts at every 15 degrees. Drawn in 2D, so that it needs no WebGL.
 
 import { useEffect, useRef } from "preact/hooks";

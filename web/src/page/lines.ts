@@ -1,4 +1,4 @@
-// What the page tells the worker to do, and the lines that do the same with a gimbal of one's own.
+// The actions that the page asks of the worker, and the lines of code that do the same with your own gimbal.
 
 import type { Axes } from "../worker_messages.js";
 import { axisNames, axisNumbers } from "./axes.js";

@@ -96,7 +96,7 @@ def _check_counter(field: Field, fields: tuple[Field, ...], found: Diagnostics) 
 
 
 def _check_deprecation(message: Message, found: Diagnostics) -> None:
-    """What ends before it starts. Fields of structs start with the message."""
+    """Finds ranges of versions that end before they start. Fields of structs start with the message."""
     for what, since, mark, at in (
         (message.name, message.since, message.deprecated, message.at),
         *((f"'{f.name}'", f.since, f.deprecated, f.at) for f in _fields(message.fields)),

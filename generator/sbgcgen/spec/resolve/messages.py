@@ -202,7 +202,7 @@ class MessageResolver:
         return self.done[key]
 
     def _description(self, draft: _Draft) -> dict[str, Any]:
-        """What a reader learns about the message: texts, sources and history."""
+        """The documentation of the message: texts, sources and history."""
         source = draft.node.get("source") or self.types.source(draft.parent, draft.at, draft.name)
         errata = *self.types.errata(draft.parent), *self.types.errata(draft.node)
         return {
@@ -221,7 +221,7 @@ class MessageResolver:
     def _behavior(
         self, draft: _Draft, fields: tuple[Field, ...], original: Message | None
     ) -> dict[str, Any]:
-        """What the message does and what answers it, with examples of both."""
+        """The effects of the message and its answers, with examples of both."""
         examples, name = self.fields.examples, draft.name
         is_request = draft.direction == "to_board"
         return {

@@ -262,7 +262,7 @@ def _listed(said: Any) -> list[Any]:
 def _source(
     when: Map, earlier: list[Field], contexts: tuple[Context, ...], outside: tuple[Field, ...]
 ) -> _Source:
-    """What a condition looks at."""
+    """The values that a condition depends on."""
     key = "context" if "context" in when else "field"
     wanted = str(when.get(key))
     name = wanted

@@ -254,7 +254,7 @@ class TypeResolver(Entries):
         )
 
     def _former(self, content: Map) -> Former | None:
-        """What the value meant before some firmware."""
+        """The earlier meanings of the value."""
         before = content.get("before")
         if not isinstance(before, Map):
             return None

@@ -1,4 +1,4 @@
-"""What the C++ of worked examples is made of; templates/example/ writes it.
+"""The parts of worked examples in C++; templates/example/ writes them.
 
 A message is built by steps, and read by looks at some of its values.
 """

@@ -1,4 +1,4 @@
-"""What the templates of C++ may do to values."""
+"""Filters for the templates of C++."""
 
 from __future__ import annotations
 

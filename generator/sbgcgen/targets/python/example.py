@@ -127,7 +127,7 @@ class _Maker:
     def arguments(
         self, fields: tuple[Field, ...], values: Fields, path: str = ""
     ) -> Iterator[tuple[str, Code]]:
-        """What is not zero, by keywords."""
+        """The values that are not zero, by keywords."""
         for field in fields:
             name = path + field.name
             if field.name in values and not field.is_counter:
@@ -225,7 +225,7 @@ def _packed(type_: Packed, value: int) -> Code:
 
 
 def _look(piece: Piece) -> tuple[str, str]:
-    """What a formatted string shows of a value, and the text that comes out."""
+    """The expression in a formatted string for a value, and the resulting text."""
     type_, value, at = piece.type, piece.value, _access(piece.path)
     if isinstance(piece.field.type, Announced):
         return f"{{{at}:g}}", f"{value:g}"

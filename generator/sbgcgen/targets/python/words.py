@@ -1,4 +1,4 @@
-"""What the templates of Python may do to values."""
+"""Filters for the templates of Python."""
 
 from __future__ import annotations
 
@@ -159,7 +159,7 @@ def _range(field: Field) -> str:
 
 
 def field_doc(field: Field, whole: str = "body") -> str:
-    """What a user of a field of a body, or of an element, needs to know."""
+    """The documentation of a field of a body, or of an element."""
     unit = field.type.unit or "" if isinstance(field.type, Quantity) else ""
     limits = _range(field)
     said = [field.summary]

@@ -1,4 +1,4 @@
-"""What the frame builder needs for typed code: names in Python and C++, by the paths of fields.
+"""Data of the frame builder for typed code: names in Python and C++, by the paths of fields.
 
 A value that it has no fact about is assigned as text.
 """

@@ -1,4 +1,4 @@
-"""What the authors of a library say about its names, as HTML."""
+"""The documentation of a library's names by its authors, as HTML."""
 
 from __future__ import annotations
 

@@ -37,11 +37,11 @@ class Guide:
 
     @property
     def parts(self) -> list[Section]:
-        """What comes before the first section, and the sections."""
+        """The part before the first section, and the sections."""
         return self.split("2")
 
     def split(self, levels: str) -> list[Section]:
-        """What comes before the first heading of these levels, and what follows each, as in "23"."""
+        """The part before the first heading of these levels, and the part after each, as in "23"."""
         heading = rf'<h[{levels}] id="([^"]*)">(.*?)</h[{levels}]>'
         parts = re.split(heading, self.html, flags=re.DOTALL)
         sections = zip(parts[1::3], parts[2::3], parts[3::3])
@@ -110,7 +110,7 @@ def guides_in(folder: Path, pages: Pages = Pages()) -> list[Guide]:
 
 
 def front_of(project: Path, pages: Pages) -> Markup:
-    """What README says before its first section, without its title."""
+    """The introduction of README, without its title."""
     path = project / "README.md"
     text = path.read_text(encoding="utf-8") if path.is_file() else ""
     found = re.match(r"# [^\n]+\n(.*?)(?=^## )", text, re.MULTILINE | re.DOTALL)

@@ -1,4 +1,4 @@
-"""What else a reader of a message page may look for, derived from the protocol and the guides."""
+"""Related pages for a reader of a message page, derived from the protocol and the guides."""
 
 from __future__ import annotations
 
@@ -70,7 +70,7 @@ class Relations:
         )
 
     def _exchange(self, message: Message) -> Iterator[Message]:
-        """What comes before and after it on the line. Everything may be confirmed."""
+        """The messages before and after it on the line. Every request may be confirmed."""
         is_confirmation = message in self._layout.having_role("confirmation")
         instances = [m for m in self._layout.messages if m.name == message.name]
         names = [name for m in instances if m.answer for name in m.answer.messages]

@@ -1,4 +1,4 @@
-"""What Wireshark and Lua cannot have: names of display filters, and numbers that are too large."""
+"""The limits of Wireshark and Lua: names of display filters, and numbers that are too large."""
 
 from __future__ import annotations
 

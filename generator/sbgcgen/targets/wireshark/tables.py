@@ -209,7 +209,7 @@ def _role(one: Message) -> Table:
 
 
 def _answer(case: AnswerCase) -> Table:
-    """What answers a request for which the condition holds."""
+    """The answers to a request for which the condition holds."""
     return {
         "when": case.when and _condition(case.when),
         "messages": case.messages,
@@ -228,7 +228,7 @@ def _answer(case: AnswerCase) -> Table:
 
 
 def learns(layout: Layout) -> Iterator[Table]:
-    """What bodies need to know from earlier messages, and where they learn it."""
+    """The facts from earlier messages that bodies need, and their sources."""
     for asked in layout.asked:
         for request, form in asked.requests:
             yield {

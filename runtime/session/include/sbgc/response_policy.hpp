@@ -58,7 +58,7 @@ struct ResponseForm {
   std::uint8_t size{};      ///< of the body, as documented; the largest if it varies
   bool is_error{};          ///< reports that the request has failed
   std::array<std::uint8_t, 3> unused{};  ///< instead of padding
-  /// What the response repeats of the request.
+  /// The values of the request that the response repeats.
   std::array<CorrelationField, max_correlation_fields> correlation{};
 
   bool operator==(const ResponseForm&) const = default;

@@ -76,7 +76,7 @@ export function ParametersPanel() {
   const end = async (now: Written): Promise<void> => {
     setWritten(now);
     setPlan(null);
-    // What failed is still there to try again.
+    // Changes that failed stay, to try again.
     if (now.ok && areEdits.current) setEdits(({ [0]: _, [profile]: __, ...others }) => others);
     await task.run(() => show(profile));
   };

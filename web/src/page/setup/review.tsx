@@ -1,4 +1,4 @@
-// What would be written: differences and problems; tried on the emulated board, and written.
+// Reviews changes: shows differences and problems, tries them on the emulated board, and writes them.
 
 import { useEffect, useRef, useState } from "preact/hooks";
 

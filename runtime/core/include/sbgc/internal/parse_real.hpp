@@ -9,7 +9,7 @@
 
 namespace sbgc::detail {
 
-/// As std::from_chars(), which libc++ 14 lacks for real numbers.
+/// Does what std::from_chars() does, which libc++ 14 lacks for real numbers.
 inline std::from_chars_result parse_real(const char* begin, const char* end, double& out) {
 #if defined(__cpp_lib_to_chars)
   return std::from_chars(begin, end, out);

@@ -290,7 +290,7 @@ struct WithoutTail {
   using Type = T;
 };
 
-// That WithSurplus has members of its own is not a problem for these compilers.
+// These compilers accept that WithSurplus has members of its own.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Winvalid-offsetof"
 

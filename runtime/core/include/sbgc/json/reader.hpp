@@ -128,7 +128,7 @@ class JsonReader {
     std::size_t size = 0;
     Scope scope = source_.enter();
     for (; ok() && source_.next(scope); ++size) {
-      // Those for which there is no place are checked, too: in the last place.
+      // Elements for which there is no place are checked, too: in the last place.
       const std::size_t place = std::min<std::size_t>(size, type.count - 1U);
       if (type.is_bounded) resize(type, out, place + 1);
       value(field, *type.element, element_at(type, out, place), FieldPath{&path, "", size});

@@ -75,7 +75,7 @@ class JsonWriter {
   }
   void scalar(RawType type, const void* at) {
     switch (type) {
-      // As text, because many readers of JSON round them.
+      // Many readers of JSON round them, so they are texts.
       case RawType::u64: return sink_.decimal(load<std::uint64_t>(at));
       case RawType::i64: return sink_.decimal(load<std::int64_t>(at));
       case RawType::f32: return real(load<float>(at));

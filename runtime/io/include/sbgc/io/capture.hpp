@@ -85,7 +85,7 @@ struct CaptureDamage {
 /// Returns a sentence: "7 bytes from offset 24 are damaged."
 std::string to_string(const CaptureDamage& damage);
 
-/// What CaptureParser finds.
+/// A finding of CaptureParser.
 using CaptureItem = std::variant<CaptureSession, CaptureRecord, CaptureDamage>;
 
 /// The number of bytes that distinguish a capture from another file.
@@ -140,7 +140,7 @@ class CaptureParser {
   detail::RangeCrc32 checksums_;         // of the buffer's first bytes, at least while searching
 };
 
-/// What CaptureWriter writes.
+/// A record for CaptureWriter.
 enum class CaptureFormat : std::uint8_t {
   sbgc,    ///< see above
   pcapng,  ///< for Wireshark (see pcapng.hpp); a note is a comment of the next packet

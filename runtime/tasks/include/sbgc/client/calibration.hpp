@@ -50,7 +50,7 @@ enum class CalibrationEnd : std::uint8_t {
 
 /// The directions of the accelerometer that are calibrated, such as "+X, -Z", or "none".
 std::string calibrated_positions(const msg::CalibInfo& state);
-/// Those that are not; "" if all six are.
+/// The positions that are not; "" if all six are.
 std::string missing_positions(const msg::CalibInfo& state);
 
 namespace detail {

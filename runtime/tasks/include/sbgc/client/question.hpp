@@ -11,7 +11,7 @@ namespace sbgc {
 
 /// A question of a task to the user.
 struct Question {
-  /// What is asked.
+  /// The question.
   enum class Kind : std::uint8_t {
     turn_motors_off,  ///< may the motors lose power? The camera drops to its heavy side
     is_still,         ///< is the sensor still, although it reports an even turn?

@@ -237,7 +237,7 @@ class [[nodiscard]] Task {
   struct Promise;
 
  public:
-  /// What the language requires of a coroutine.
+  /// The language requires this of a coroutine.
   using promise_type = Promise;
   /// What it returns.
   using result_type = R;

@@ -73,7 +73,7 @@ class VirtualTime : public asio::execution_context::service {
     std::function<void()> handler;
     Place* place;
 
-    /// As those of Asio, a handler ends on its executor: it may own the timer.
+    /// Like the handlers of Asio, a handler ends on its executor: it may own the timer.
     void drop() {
       asio::post(executor, [dropped = std::move(handler)] {});
     }
