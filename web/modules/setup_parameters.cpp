@@ -29,9 +29,6 @@ using tools::message_in;
 using tools::types_of;
 using tools::without_indices;
 
-/// The topic of the parameters that can change the line.
-constexpr std::string_view line_topic = "ports";
-
 std::string name_of(const std::string& message, const std::string& path) {
   return message + '.' + path;
 }
@@ -50,7 +47,7 @@ const TopicReference* topic_of(const FieldInfo& field) {
 
 bool changes_line(const FieldInfo& field) {
   const TopicReference* const topic = topic_of(field);
-  return topic != nullptr && topic->name == line_topic;
+  return topic != nullptr && topic->changes_line;
 }
 
 /// Returns a raw limit in the unit of the value.

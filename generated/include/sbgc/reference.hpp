@@ -55,6 +55,7 @@ struct TopicReference {
   const char* summary = "";
   std::span<const char* const> words{};   ///< other names of the topic
   std::span<const char* const> fields{};  ///< FieldInfo::spec_name of its parameters
+  bool changes_line{};  ///< the board may no longer answer after a change of these parameters
 };
 
 inline constexpr FamilyReference family_references[] = {
@@ -2679,7 +2680,7 @@ inline constexpr std::array<TopicReference, 19> topic_references{ {    {.name = 
     {.name = "ports",
      .summary = "Serial ports and MAVLink.",
      .words = detail::ports_words,
-     .fields = detail::ports_fields},
+     .fields = detail::ports_fields, .changes_line = true},
     {.name = "options",
      .summary = "Options of the board and of the profile.",
      .words = detail::options_words,

@@ -67,12 +67,14 @@ class AskedForms:
 
 @dataclass(frozen=True)
 class Topic:
-    """A topic of parameters; `fields` are their names, `words` other names of the topic."""
+    """A topic of parameters; `fields` are their names, `words` other names of the topic. The board may no
+    longer answer after a change if it `changes_line`."""
 
     name: str
     summary: str
     words: tuple[str, ...]
     fields: tuple[str, ...]
+    changes_line: bool = False
     at: Position = field(default=NOWHERE, compare=False, repr=False)
 
 

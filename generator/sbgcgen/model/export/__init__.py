@@ -66,6 +66,7 @@ def _model(layout: Layout) -> dict[str, Any]:
         "synonyms": [list(group) for group in layout.synonyms],
         "topics": [
             {"name": topic.name, "summary": topic.summary, "words": list(topic.words)}
+            | given(changes_line=topic.changes_line or None)
             for topic in layout.topics
         ],
         "families": [

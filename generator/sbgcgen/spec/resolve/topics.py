@@ -29,7 +29,8 @@ def topics_of(nodes: Map, messages: list[Message], found: Diagnostics) -> Iterat
         fields = [p for p in parameters if any(fnmatchcase(p, pattern) for pattern in patterns)]
         filed.update(fields)
         words = tuple(str(word) for word in node.get("words", ()))
-        yield Topic(name, str(node["summary"]), words, tuple(fields), nodes.at(name))
+        changes_line = bool(node.get("changes_line"))
+        yield Topic(name, str(node["summary"]), words, tuple(fields), changes_line, nodes.at(name))
     for parameter, field in parameters.items():
         if nodes and parameter not in filed:
             hint = "add its name to one of the 'topics' in the main file"
