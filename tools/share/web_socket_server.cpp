@@ -271,7 +271,7 @@ class WebSocketServer::Impl::Session : public std::enable_shared_from_this<Sessi
   const Events& events_;
   const WebSocketAccess& access_;
   const std::weak_ptr<Impl> server_;
-  websocket::stream<beast::tcp_stream> stream_;
+  websocket::stream<beast::tcp_stream, false> stream_;  // without compression
   SessionId id_;
   std::string name_;
   bool is_accepted_ = false;
