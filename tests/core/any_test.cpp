@@ -103,19 +103,6 @@ TEST(AnyMessage, IsTheMessageOfItsType) {
   EXPECT_EQ(to_string(find_message("MotorsOn")->make()), "MotorsOn{}");
 }
 
-TEST(AnyMessage, WhatNoFrameCanCarryIsAnError) {
-  AnyMessage message = find_message("WriteFile")->make();
-  auto& file = *message.get_if<msg::WriteFile>();
-  ASSERT_TRUE(file.data.resize(file.data.capacity()));
-  std::array<std::uint8_t, max_frame_size> frame{};
-  const WriteResult whole = message.encode_frame(basic_framing, frame);
-  ASSERT_TRUE(whole);
-  for (std::size_t size = 0; size < whole.size; ++size) {
-    const auto out = std::span(frame).first(size);
-    EXPECT_EQ(message.encode_frame(basic_framing, out).status.code, Code::buffer_too_small);
-  }
-}
-
 /// Returns the value at a path as text, or "-".
 std::string value_at(const AnyMessage& message, std::string_view path) {
   std::string result = "-";

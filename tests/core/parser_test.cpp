@@ -113,15 +113,6 @@ void check_every_cutting(const Bytes& s) {
 const Bytes read_params{0x3E, 0x52, 0x01, 0x53, 0x01, 0x01};  // the specification's example
 const Bytes motors_on{0x3E, 0x4D, 0x00, 0x4D, 0x00};
 
-TEST(Parser, DeliversTheSpecificationsExample) {
-  Collector<> collector;
-  collector.feed(read_params);
-  const std::vector<ReferenceFrame> expected{{0x52, {0x01}, 0}};
-  EXPECT_EQ(collector.frames, expected);
-  EXPECT_EQ(collector.parser.counters(), (ParserCounters{.frames = 1}));
-  EXPECT_EQ(collector.parser.waiting_bytes(), 0U);
-}
-
 TEST(Parser, DeliversTheLongestBody) {
   for_each_parser([](const auto& collector, Accepts accepts) {
     const Bytes frame = accepts == Accepts::v1 ? make_frame(1, Bytes(255, 0x3E))
@@ -330,39 +321,6 @@ template <class P>
 class ParserOfEachKind : public ::testing::Test {};
 using ParserKinds = ::testing::Types<Parser, SmallParser>;
 TYPED_TEST_SUITE(ParserOfEachKind, ParserKinds, );
-
-TYPED_TEST(ParserOfEachKind, TellsWhichBytesWait) {
-  Collector<TypeParam> collector;
-  collector.feed(Bytes{1, 2, 0x3E});
-  EXPECT_EQ(collector.parser.waiting_bytes(), 1U);
-  EXPECT_EQ(collector.parser.counters(), (ParserCounters{.skipped_bytes = 2}));
-  collector.feed(Bytes{0x4D, 0x00});
-  EXPECT_EQ(collector.parser.waiting_bytes(), 3U);
-  collector.feed({});
-  EXPECT_EQ(collector.parser.waiting_bytes(), 3U);
-  collector.flush();
-  EXPECT_EQ(collector.parser.waiting_bytes(), 0U);
-  EXPECT_EQ(collector.parser.counters(), (ParserCounters{.skipped_bytes = 5, .incomplete = 1}));
-  collector.flush();
-  EXPECT_EQ(collector.parser.counters(), (ParserCounters{.skipped_bytes = 5, .incomplete = 1}));
-}
-
-TYPED_TEST(ParserOfEachKind, AcceptsEmptyChunks) {
-  Collector<TypeParam> collector;
-  collector.feed({});
-  collector.feed(motors_on);
-  collector.feed({});
-  collector.flush();
-  EXPECT_EQ(collector.parser.counters(), (ParserCounters{.frames = 1}));
-}
-
-TYPED_TEST(ParserOfEachKind, CountsEachKindOfError) {
-  Collector<TypeParam> collector;
-  collector.feed(concat({{0x3E, 1, 0, 2}, {0x3E, 0, 0, 0}, {0x3E, 1, 0, 1, 9}, motors_on}));
-  EXPECT_EQ(
-      collector.parser.counters(),
-      (ParserCounters{.frames = 1, .skipped_bytes = 13, .header_errors = 2, .body_errors = 1}));
-}
 
 TYPED_TEST(ParserOfEachKind, ForgetsEverythingOnReset) {
   Collector<TypeParam> collector;

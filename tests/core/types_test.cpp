@@ -132,13 +132,6 @@ constexpr BoundedArray<std::uint8_t, 3> list_at_compile_time = [] {
 static_assert(list_at_compile_time.size() == 1 && list_at_compile_time[0] == 5);
 static_assert(list_at_compile_time.data()[2] == 0, "a constant is initialized as a whole");
 
-TEST(BoundedArray, HoldsAFullBody) {
-  BoundedBytes<255> bytes;
-  EXPECT_TRUE(bytes.resize(255));
-  EXPECT_EQ(bytes.size(), 255U);
-  EXPECT_FALSE(bytes.push_back(1));
-}
-
 TEST(Text, IsPaddedWithNul) {
   using std::string_view_literals::operator""sv;
   Text<4> text;

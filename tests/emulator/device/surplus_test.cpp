@@ -185,20 +185,6 @@ INSTANTIATE_TEST_SUITE_P(Versions, EveryFirmware,
                                          std::array<std::uint16_t, 2>{36, newest_firmware}),
                          [](const auto& test) { return std::to_string(test.param[1]); });
 
-TEST(Surplus, IsIgnored) {
-  Host host;
-  const auto angles = host.get<msg::GetAngles>(msg::GetAnglesRequest{});
-  host.send_bytes(frame_of(73, Bytes{1}));
-  const Packets answer = host.listen(milliseconds(50));
-  ASSERT_THAT(answer, SizeIs(1));
-  EXPECT_EQ(message<msg::GetAngles>(answer[0]).axes.pitch.rc_target_angle,
-            angles.axes.pitch.rc_target_angle);
-  host.send_bytes(frame_of(77, Bytes{1}));
-  EXPECT_EQ(confirmations<msg::MotorsOn>(host.listen(milliseconds(50))), 1);
-  EXPECT_TRUE(host.board.gimbal().motors_on());
-  EXPECT_EQ(host.board.counters().unknown, 0U);
-}
-
 TEST(Surplus, IsWhatTheFirmwareDoesNotHave) {
   constexpr std::uint8_t motors_off = 109;
   const Bytes safe_stop{2};
