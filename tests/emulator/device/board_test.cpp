@@ -176,5 +176,19 @@ TEST(Board, IntroducesItselfWhateverTheSizeOfTheRequest) {
   }
 }
 
+TEST(Board, ExecutesNothingBeforeItsPassword) {
+  emulator::BoardOptions options = newest_board();
+  options.password = "sesame";
+  Host host(options);
+  std::vector<emulator::Reaction> reactions;
+  host.board.on_traffic = [&](const emulator::Board::Traffic& traffic) {
+    if (traffic.reaction) reactions.push_back(*traffic.reaction);
+  };
+  ASSERT_TRUE(host.board.gimbal().motors_on());
+  host.ask(msg::MotorsOff{});
+  EXPECT_TRUE(host.board.gimbal().motors_on());
+  EXPECT_EQ(reactions, std::vector{emulator::Reaction::locked});
+}
+
 }  // namespace
 }  // namespace sbgc::test

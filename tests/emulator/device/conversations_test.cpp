@@ -103,6 +103,8 @@ emulator::BoardOptions options_of(const Words& words) {
       options.gimbal.frame = {emulator::Disturbance::Kind::recorded, 1, {{Instant{}, angles}}};
     } else if (word == "still")
       options.gimbal.noise = 0;
+    else if (word.starts_with("password="))
+      options.password = word.substr(9);
     else if (word.starts_with("device_id=")) {
       options.device_id[0] = static_cast<std::uint8_t>(std::stoi(word.substr(10)));
     } else if (word == "instant")
@@ -215,7 +217,11 @@ class Player {
   Packets act(const Words& words) {
     const std::string& verb = words.at(0);
     const Words rest(words.begin() + 1, words.end());
-    if (verb == "board") return host_ = std::make_unique<Host>(options_of(rest)), Packets{};
+    if (verb == "board") {
+      host_ = std::make_unique<Host>(options_of(rest));
+      ports_ = 1;
+      return {};
+    }
     emulator::Gimbal& gimbal = host().board.gimbal();
     const auto number = [&](std::size_t i) { return std::stod(rest.at(i)); };
     const auto axis = [&] { return static_cast<std::size_t>(number(0)); };
@@ -282,6 +288,7 @@ class Player {
     if (name == "motors") return host().board.gimbal().motors_on() ? 1 : 0;
     if (name == "profile") return board.memory().profile;
     if (name == "restarts") return static_cast<double>(board.counters().restarts);
+    if (name == "sent") return static_cast<double>(board.counters().sent);
     if (name == "unknown") return static_cast<double>(board.counters().unknown);
     if (name == "refused") return static_cast<double>(board.counters().refused);
     if (name == "baud") return board.baud_rate();
@@ -444,7 +451,9 @@ class Player {
       EXPECT_TRUE(holds_in(message, words[i])) << words[i] << " in " << to_string(message);
     }
     if (::testing::Test::HasFailure()) {
-      for (const Packet& packet : packets) ADD_FAILURE() << "heard " << to_string(decoded(packet));
+      for (std::size_t i = 0; i < std::min<std::size_t>(packets.size(), 5); ++i) {
+        ADD_FAILURE() << "heard " << to_string(decoded(packets[i]));
+      }
     }
   }
 

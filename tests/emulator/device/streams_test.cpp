@@ -119,35 +119,5 @@ TEST(Streams, AreLimitedOverAllPorts) {
       << "there is room";
 }
 
-TEST(Streams, OnlySomeCommandsCanStream) {
-  Host host;
-  EXPECT_TRUE(is_error(host.ask(stream(msg::CommandFromBoard::get_angles, 10))));
-  EXPECT_TRUE(is_error(host.ask(stream(msg::CommandFromBoard::read_params_3, 10))));
-  auto attitude = stream(msg::CommandFromBoard::ahrs_helper, 100);
-  attitude.config.imu_type = msg::ImuIndex::frame;
-  host.ask(attitude, microseconds(800));
-  EXPECT_THAT(all<msg::AhrsHelper>(host.listen(seconds(1))), SizeIs(10));
-}
-
-TEST(Streams, NeedAnImuThatThereIs) {
-  Host host;
-  auto attitude = stream(msg::CommandFromBoard::ahrs_helper, 100);
-  attitude.config.imu_type = msg::ImuIndex{2};
-  EXPECT_TRUE(is_error(host.ask(attitude)));
-}
-
-TEST(Streams, EndWithARestart) {
-  Host host;
-  host.ask(stream(msg::CommandFromBoard::realtime_data_3, 10));
-  host.ask(msg::ResetRequest{}, seconds(1));
-  EXPECT_THAT(host.listen(seconds(1)), IsEmpty());
-}
-
-TEST(Streams, AnswersGoOnBesideThem) {
-  Host host;
-  host.ask(stream(msg::CommandFromBoard::realtime_data_4, 1));
-  EXPECT_THAT(all<msg::BoardInfo>(host.ask(msg::BoardInfoRequest{})), SizeIs(1));
-}
-
 }  // namespace
 }  // namespace sbgc::test

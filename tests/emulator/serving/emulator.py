@@ -39,11 +39,11 @@ def refused(*arguments: str) -> str:
     return result.error
 
 
-def talk(input: bytes, *arguments: str) -> bytes:
+def talk(requests: bytes, *arguments: str) -> bytes:
     """Returns what an emulator on standard output answers to its standard input."""
     done = subprocess.run(
         [PROGRAM, "emulate", "--stdio", *arguments],
-        input=input,
+        input=requests,
         capture_output=True,
         timeout=PATIENCE,
         check=False,

@@ -140,6 +140,7 @@ def test_tcp_has_one_host_after_the_other() -> None:
         for _ in range(40):
             host = emulator.host()
             assert host.ask(BOARD_INFO)
+            host.close()
         emulator.end()
         assert emulator.error == ""
 
