@@ -16,24 +16,6 @@
 namespace sbgc::test {
 namespace {
 
-TEST(Axes, NamesAndIndices) {
-  Axes<int> axes{1, 2, 3};
-  EXPECT_EQ(axes[0], 1);
-  EXPECT_EQ(axes[1], 2);
-  EXPECT_EQ(axes[2], 3);
-  axes[0] = 10;
-  axes[1] = 20;
-  axes[2] = 30;
-  EXPECT_EQ(axes, (Axes<int>{10, 20, 30}));
-  EXPECT_NE(axes, (Axes<int>{10, 20, 31}));
-}
-
-TEST(Xyz, NamesAndIndices) {
-  Xyz<int> xyz{1, 2, 3};
-  xyz[2] = xyz[0] + xyz[1] + 10;
-  EXPECT_EQ(xyz, (Xyz<int>{1, 2, 13}));
-}
-
 TEST(Integer24, HoldsEveryNumberOf24Bits) {
   EXPECT_EQ(U24(0xFFFFFF).raw(), 0xFFFFFFU);
   EXPECT_EQ(I24(0x7FFFFF).raw(), 0x7FFFFF);
