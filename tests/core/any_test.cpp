@@ -129,30 +129,6 @@ TEST(AnyMessage, ValuesAreAssignedFromText) {
   EXPECT_FALSE(sound.add("note"));
 }
 
-TEST(AnyMessage, TextsMeanWhatTheSpecificationSays) {
-  struct Case {
-    const char* message;
-    const char* path;
-    const char* text;
-    std::int64_t raw;
-  };
-  for (const Case& one : {
-           Case{"SelectImu3", "imu_type", "FRAME", 2},
-           Case{"SelectImu3", "imu_type", "imu_type_main", 1},
-           Case{"HelperDataExt", "frame_heading", "32767", 32767},
-           Case{"HelperDataExt", "frame_heading", "raw:32767", 32767},
-           Case{"HelperDataExt", "frame_heading", "90", 4096},
-           Case{"BoardInfo", "board_ver", "major:3, minor:6", 36},
-           Case{"BoardInfo", "firmware_ver", "major 2, minor 73, beta 1", 2731},
-           Case{"BoardInfo", "firmware_ver", "major:2,minor:74,minor:0,beta:5", 2005},
-       }) {
-    AnyMessage message = find_message(one.message)->make();
-    EXPECT_EQ(message.assign(one.path, one.text, false), "");
-    message.with_leaf(one.path,
-                      [&](const Leaf& leaf) { EXPECT_EQ(leaf.integer, one.raw) << one.text; });
-  }
-}
-
 TEST(ParseValue, FlagsHaveTheSignOfTheirType) {
   FieldType type;
   type.shape = FieldShape::integer;
@@ -220,50 +196,6 @@ TEST(AnyMessage, WhatAMessageCanLackIsAddedFoundAndRemoved) {
   EXPECT_TRUE(control.set("axes.roll.angle", std::int64_t{7}));
   EXPECT_EQ(control.get_if<msg::Control>()->axes.roll.angle.raw(), 7);
   EXPECT_FALSE(control.set("axes.roll.angle", 7.0) || control.set("axes.roll", std::int64_t{7}));
-}
-
-TEST(AnyMessage, WhatCannotBeAssignedChangesNothing) {
-  AnyMessage sound = find_message("BeepSound")->make();
-  ASSERT_EQ(sound.assign("note_length", "80 ms"), "");
-  const AnyMessage before = sound;
-  EXPECT_EQ(sound.assign("note", "1"), "BeepSound has no field 'note'");
-  EXPECT_EQ(sound.assign("note_freq_hz[0].x", "1"), "BeepSound has no field 'note_freq_hz[0].x'");
-  EXPECT_EQ(sound.assign("note_length", "80 Hz"), "note_length: 'Hz' is not its unit, which is ms");
-  EXPECT_EQ(sound.assign("decay_factor", "16"), "decay_factor: 16 is above 15");
-  EXPECT_EQ(sound.assign("decay_factor", "300"), "decay_factor: 300 does not fit: 0 to 255");
-  EXPECT_EQ(sound.assign("note_freq_hz", "600,1"), "note_freq_hz[1]: 1 Hz is below 554 Hz");
-  EXPECT_EQ(sound.assign("note_freq_hz[50]", "600"), "note_freq_hz: 51 elements are more than 50");
-  EXPECT_EQ(sound.assign("note_freq_hz[999]", "600"),
-            "note_freq_hz[999]: there is no such element");
-  EXPECT_EQ(sound.assign(".note_length", "5"), "BeepSound has no field '.note_length'");
-  EXPECT_EQ(sound.assign("decay_factor", "5 Hz"), "decay_factor: it has no unit: write 5");
-  EXPECT_EQ(sound.assign("decay_factor", "+5%"), "decay_factor: '+5%' is not an integer");
-  EXPECT_TRUE(sound.assign("mode", "LOUD").starts_with("mode: 'LOUD' is not a name of BeepModes"));
-  EXPECT_TRUE(sound == before);
-
-  struct Case {
-    const char* message;
-    const char* path;
-    const char* text;
-    const char* problem;
-  };
-  for (const Case& one : {
-           Case{"BoardInfo", "connection_flags", "USB", "'USB' is not a name of ConnectionFlags"},
-           Case{"BoardInfo", "board_ver", "minor:10", "10 does not fit into 'minor'"},
-           Case{"BoardInfo", "board_ver", "minor:-1", "-1 does not fit into 'minor'"},
-           Case{"BoardInfo", "firmware_ver", "major:66", "66 does not fit into 'major'"},
-           Case{"AhrsHelper", "z1_vector.x", "up", "'up' is not a number"},
-           Case{"HelperDataExt", "frame_heading", "32767 deg", "32767 deg does not fit"},
-           Case{"HelperDataExt", "frame_heading", "719.97 deg",
-                "719.97 deg is sent as 32767, which means: stops the correction of the heading; "
-                "write raw:32767 for that"},
-           Case{"SetAdjVarsVal", "params[0]param_id", "1",
-                "SetAdjVarsVal has no field 'params[0]param_id'"},
-       }) {
-    AnyMessage message = find_message(one.message)->make();
-    EXPECT_NE(message.assign(one.path, one.text).find(one.problem), std::string::npos)
-        << message.assign(one.path, one.text);
-  }
 }
 
 TEST(AnyMessage, EveryValueIsAssignedFromItsOwnText) {

@@ -167,27 +167,6 @@ TEST(Parser, IsTheSameForEveryCuttingOfShortRandomStreams) {
   });
 }
 
-TEST(Parser, IsTheSameForEveryOneAndTwoCuts) {
-  for (std::uint32_t seed = 0; seed < 6; ++seed) {
-    const Accepts accepts = seed < 3 ? Accepts::v1 : Accepts::both;
-    Bytes s = Random(seed, accepts).stream(20);
-    s.resize(320);
-    const ReferenceResult open = reference_parse(s, End::open, 0, accepts);
-    const ReferenceResult final = reference_parse(s, End::final, 0, accepts);
-    for (std::size_t a = 0; a <= s.size(); ++a) {
-      for (std::size_t b = a; b <= s.size(); ++b) {
-        if (accepts == Accepts::v1) {
-          ASSERT_NO_FATAL_FAILURE(check_cuts(Collector<>{}, s, {a, b}, open, final))
-              << "seed " << seed << ", cut at " << a << " and " << b;
-        } else {
-          ASSERT_NO_FATAL_FAILURE(check_cuts(Collector<ParserOfAll>{}, s, {a, b}, open, final))
-              << "seed " << seed << ", cut at " << a << " and " << b;
-        }
-      }
-    }
-  }
-}
-
 // Many streams, chunks of many sizes, flushes in between: after every step, the frames, the
 // counters and the waiting bytes match the reference.
 template <class P>

@@ -4,8 +4,6 @@
 #include <cstdint>
 #include <vector>
 
-#include <gtest/gtest.h>
-
 #include "host.hpp"
 #include "random_requests.hpp"
 

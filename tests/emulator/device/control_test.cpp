@@ -2,17 +2,12 @@
 
 #include <optional>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "host.hpp"
 
 namespace sbgc::test {
 namespace {
 
 using emulator::AxisMode;
-using ::testing::IsEmpty;
-using ::testing::SizeIs;
 
 /// Returns a request that moves only pitch.
 msg::ControlExt one_axis(msg::ControlModeKind mode, std::int16_t speed, std::int16_t angle) {
@@ -56,39 +51,6 @@ TEST(Control, ModesAndUnits) {
   EXPECT_EQ(host.board.gimbal().command(0).mode, AxisMode::remote) << "other axes have their own";
   host.ask(one_axis(msg::ControlModeKind::no_control, 0, 0));
   EXPECT_EQ(command().mode, AxisMode::remote);
-}
-
-TEST(Control, OneModeForAllAxes) {
-  Host host;
-  msg::Control request;
-  request.control_mode.set_mode(msg::ControlModeKind::speed);
-  request.axes.yaw.speed = msg::ControlSpeed(100);
-  host.ask(request);
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    EXPECT_EQ(host.board.gimbal().command(axis).mode, AxisMode::speed);
-  }
-}
-
-TEST(Control, FineSpeedIsKnownToNewFirmwareOnly) {
-  for (const int firmware : {2590, 2560}) {
-    emulator::BoardOptions options;
-    options.firmware = msg::FirmwareVersion(static_cast<std::uint16_t>(firmware));
-    Host host(options);
-    auto request = one_axis(msg::ControlModeKind::speed, 1000, 0);
-    request.control_mode.pitch.set_flags(msg::ControlFlag::high_res_speed);
-    host.ask(request);
-    const double speed = host.board.gimbal().command(1).speed;
-    EXPECT_NEAR(speed, firmware == 2590 ? 1.0 : 1000 * 4000.0 / 32767, 1e-9);
-  }
-}
-
-TEST(Control, AnUnknownModeIsRefusedAsAWhole) {
-  Host host;
-  host.ask(one_axis(msg::ControlModeKind::speed, 10, 0));
-  msg::ControlExt request = one_axis(msg::ControlModeKind::angle, 10, 0);
-  request.control_mode.yaw = msg::ControlMode(9);
-  EXPECT_EQ(host.get<msg::ErrorExt>(request).cmd_id, msg::CommandToBoard::control);
-  EXPECT_EQ(host.board.gimbal().command(1).mode, AxisMode::speed);
 }
 
 /// Returns the state of a handheld gimbal after 5 s in which a host sends `data` 50 times per

@@ -17,8 +17,6 @@
 #include <utility>
 #include <vector>
 
-#include <gtest/gtest.h>
-
 #include <sbgc/any.hpp>
 #include <sbgc/json/hex.hpp>
 #include <sbgc/meta/all.hpp>
@@ -27,7 +25,6 @@
 #include <sbgc/value_text.hpp>
 
 #include "answers.hpp"
-#include "debug_values.hpp"
 #include "host.hpp"
 #include "random_requests.hpp"
 
@@ -57,6 +54,8 @@ std::vector<Conversation> conversations() {
       if (line.starts_with("== ")) {
         result.push_back({file.path().stem().string() + "_" + line.substr(3)});
         std::erase_if(result.back().name, [](char c) { return std::isalnum(c) == 0 && c != '_'; });
+      } else if (line.starts_with("    ")) {
+        result.back().rows.back().second += line.substr(3);
       } else if (!line.empty() && line[0] != '#') {
         result.back().rows.emplace_back(name + ":" + std::to_string(number) + ": " + line, line);
       }
@@ -164,6 +163,32 @@ double number_at(const AnyMessage& message, const std::string& path) {
   message.with_leaf(
       path, [&](const Leaf& leaf) { result = std::strtod(value_text(leaf).c_str(), nullptr); });
   EXPECT_FALSE(std::isnan(result)) << "no number at " << path;
+  return result;
+}
+
+/// Returns the values of all debug variables, read as the board announces them.
+std::map<std::string, std::vector<double>> debug_values(Host& host) {
+  const auto info = host.get<msg::DebugVarsInfo3>(msg::DebugVarsInfo3Request{});
+  msg::DebugVars3::Context context;
+  for (const msg::DebugVarInfo& one : info.vars) {
+    EXPECT_TRUE(detail::announce(context.types, number_type(one.var_type.kind()), one.arr_size));
+  }
+  const Packets packets = host.ask(msg::DebugVars3Request{});
+  msg::DebugVars3 values;
+  if (packets.size() != 1 || !decode(std::span(packets[0].body), values, context)) {
+    ADD_FAILURE() << "no values";
+    return {};
+  }
+  EXPECT_TRUE(values.tail.empty()) << "more than was announced";
+  std::map<std::string, std::vector<double>> result;
+  std::size_t index = 0;
+  for (const msg::DebugVarInfo& one : info.vars) {
+    auto& list = result[std::string(one.var_name.data(), one.var_name.size())];
+    do {
+      if (index < values.var_value.size()) list.push_back(values.var_value[index++].value());
+    } while (list.size() < one.arr_size);
+  }
+  EXPECT_EQ(index, values.var_value.size());
   return result;
 }
 

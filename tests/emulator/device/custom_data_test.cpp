@@ -3,8 +3,6 @@
 #include <cstdint>
 #include <span>
 
-#include <gtest/gtest.h>
-
 #include "host.hpp"
 
 namespace sbgc::test {

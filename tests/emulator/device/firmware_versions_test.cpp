@@ -7,8 +7,6 @@
 #include <string>
 #include <type_traits>
 
-#include <gtest/gtest.h>
-
 #include <sbgc/availability.hpp>
 #include <sbgc/dispatch.hpp>
 #include <sbgc/meta/all.hpp>

@@ -5,8 +5,6 @@
 #include <cstdint>
 #include <vector>
 
-#include <gtest/gtest.h>
-
 #include "host.hpp"
 
 namespace sbgc::test {

@@ -2,30 +2,12 @@
 
 #include <cmath>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "replies.hpp"
 
 namespace sbgc::test {
 namespace {
 
 using emulator::BoardOptions;
-
-TEST(GyroCorrection, ChangesTheDrift) {
-  BoardOptions options;
-  options.gimbal.noise = 0;
-  Host plain(options), corrected(options);
-  msg::GyroCorrection request{.imu_type = msg::ImuIndex::main,
-                              .gyro_zero_heading_corr = 4_gyro_unit};
-  EXPECT_TRUE(is_confirmed(corrected, request));
-  plain.ask(msg::SelectImu3{.imu_type = msg::SelectedImu::main});
-  for (Host* host : {&plain, &corrected}) host->listen(seconds(60));
-  // The camera turns, because the board measures no rotation.
-  const double one = plain.board.gimbal().sample(plain.now).joints.yaw;
-  const double other = corrected.board.gimbal().sample(corrected.now).joints.yaw;
-  EXPECT_GT(std::abs(one - other), 1);
-}
 
 TEST(GyroCorrection, IsRemembered) {
   Host host;

@@ -3,8 +3,6 @@
 #include <cstdint>
 #include <set>
 
-#include <gtest/gtest.h>
-
 #include <sbgc/meta/variables.hpp>
 
 #include "device/device.hpp"

@@ -4,16 +4,11 @@
 #include <cstdint>
 #include <vector>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "host.hpp"
 #include "random_requests.hpp"
 
 namespace sbgc::test {
 namespace {
-
-using ::testing::SizeIs;
 
 emulator::BoardOptions still() {
   emulator::BoardOptions options;
@@ -22,8 +17,8 @@ emulator::BoardOptions still() {
 }
 
 /// Returns a board with motors off, so that the camera remains where it is placed.
-Host placed(const Axes<double>& angles, const emulator::BoardOptions& options = still()) {
-  Host host(options);
+Host placed(const Axes<double>& angles) {
+  Host host(still());
   host.ask(msg::MotorsOff{});
   host.board.gimbal().place(angles, host.now);
   return host;
@@ -43,42 +38,6 @@ TEST(LiveData, CustomBlocksAreThoseOfTheRequest) {
       EXPECT_EQ((*data.rc_data)[0].raw(), msg::RealtimeDataCustom::undefined);
     }
   }
-}
-
-TEST(LiveData, TheTimestampCountsMilliseconds) {
-  Host host;
-  const auto stamp = [&] {
-    return host.get<msg::RealtimeDataCustom>(msg::RealtimeDataCustomRequest{}).timestamp_ms.raw();
-  };
-  const auto first = stamp();
-  host.listen(milliseconds(1000 - 50));
-  EXPECT_NEAR(static_cast<std::uint16_t>(stamp() - first), 1000, 1);
-  host.listen(seconds(70));
-  EXPECT_NEAR(static_cast<std::uint16_t>(stamp() - first), (1000 + 70'050) % 65536, 1);
-}
-
-double length(const Xyz<float>& v) {
-  return std::hypot(static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z));
-}
-
-TEST(LiveData, TheOrderOfTheAnglesIsThatOfTheSettings) {
-  Host host = placed({30, 40, 50});
-  const auto up = [&](msg::EulerOrder order) {
-    auto parameters = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
-    parameters.euler_order = order;
-    host.ask(msg::WriteParams3{parameters});
-    return host.get<msg::AhrsHelper>(msg::AhrsHelperRequest{}).z1_vector;
-  };
-  const auto near = [](const Xyz<float>& a, const Xyz<float>& b) {
-    return length({a.x - b.x, a.y - b.y, a.z - b.z}) < 0.01;
-  };
-  using enum msg::EulerOrder;
-  EXPECT_FALSE(near(up(pitch_roll_yaw), up(roll_pitch_yaw)));
-  EXPECT_FALSE(near(up(yaw_roll_pitch), up(yaw_pitch_roll)));
-  EXPECT_FALSE(near(up(yaw_roll_pitch), up(roll_pitch_yaw)));
-  // For two axes: yaw is the outermost.
-  EXPECT_TRUE(near(up(local_roll), up(pitch_roll_yaw)));
-  EXPECT_TRUE(near(up(roll_local), up(roll_pitch_yaw)));
 }
 
 TEST(LiveData, AFrameTellsTheCamerasAttitudeAndTheOtherWayRound) {
@@ -128,24 +87,6 @@ TEST(LiveData, LaterFirmwareHasAModeOfTwoBytesInFrontOfTheVectors) {
       EXPECT_THAT(all<msg::ErrorExt>(packets), SizeIs(fits ? 0 : 1)) << size;
     }
   }
-}
-
-TEST(LiveData, AnAttitudeCanBeLeftUncorrected) {
-  using enum msg::AhrsHelperWideModeBit;
-  emulator::BoardOptions options;
-  options.firmware = msg::FirmwareVersion(2740);
-  Host host(options);
-  msg::AhrsHelperRequestExtWide set_attitude;
-  // Upside down.
-  set_attitude.z1_vector = {0, 0, -1};
-  set_attitude.h1_vector = {0, 1, 0};
-  const auto up = [&] { return host.board.gimbal().sample(host.now).up.z; };
-  set_attitude.mode = set | disable_correction;
-  EXPECT_THAT(host.ask(set_attitude), SizeIs(0));
-  EXPECT_GT(up(), 0.9);
-  set_attitude.mode = set;
-  EXPECT_THAT(host.ask(set_attitude), SizeIs(0));
-  EXPECT_LT(up(), -0.9);
 }
 
 }  // namespace

@@ -1,7 +1,5 @@
 // Every menu action is known.
 
-#include <gtest/gtest.h>
-
 #include <sbgc/meta/enums.hpp>
 
 #include "host.hpp"

@@ -9,8 +9,6 @@
 #include <set>
 #include <vector>
 
-#include <gtest/gtest.h>
-
 #include <sbgc/meta/all.hpp>
 #include <sbgc/validate.hpp>
 

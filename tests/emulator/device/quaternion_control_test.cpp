@@ -4,8 +4,6 @@
 
 #include <cmath>
 
-#include <gtest/gtest.h>
-
 #include "replies.hpp"
 
 namespace sbgc::test {

@@ -1,7 +1,5 @@
 // Tests of the statistics of the board's whole life.
 
-#include <gtest/gtest.h>
-
 #include "replies.hpp"
 
 namespace sbgc::test {

@@ -2,9 +2,6 @@
 
 #include <vector>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <sbgc/roles.hpp>
 
 #include "host.hpp"
@@ -12,9 +9,6 @@
 
 namespace sbgc::test {
 namespace {
-
-using ::testing::IsEmpty;
-using ::testing::SizeIs;
 
 msg::DataStreamInterval stream(msg::CommandFromBoard command, int interval_ms) {
   msg::DataStreamInterval request;
