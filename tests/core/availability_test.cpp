@@ -1,6 +1,5 @@
 // Tests of availability by the board's versions.
 
-#include <set>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -20,18 +19,6 @@ msg::BoardInfo board(std::uint8_t board_ver, std::uint16_t firmware_ver) {
   info.board_ver = msg::BoardVersion(board_ver);
   info.firmware_ver = msg::FirmwareVersion(firmware_ver);
   return info;
-}
-
-/// Returns "rule path" of everything in `message` that is unknown to a board with these versions.
-template <class M>
-std::set<std::string> unknown(const M& message, const msg::BoardInfo& info) {
-  std::set<std::string> result;
-  validate(message, versions_of(info), [&](const Violation& violation) {
-    std::array<char, 100> path{};
-    violation.path.write(path.data(), path.size());
-    result.insert(std::string(name(violation.rule)) + " " + path.data());
-  });
-  return result;
 }
 
 // The specification documents these as "ver. 2.59+", and the longer CMD_CONTROL as "firmware ver.
@@ -111,23 +98,6 @@ TEST(Availability, ALaterFormSaysTheSame) {
   EXPECT_EQ(later.z1_vector, request.z1_vector);
   EXPECT_EQ(later.h1_vector, request.h1_vector);
   EXPECT_EQ(later_form(msg::AhrsHelperRequest{msg::AhrsHelperModeBit::frame_imu}).mode.raw(), 2);
-}
-
-TEST(Availability, OfAFlagInsideAPackedByte) {
-  msg::Control control;
-  control.control_mode.set_flags(msg::ControlFlag::high_res_speed);
-  EXPECT_EQ(unknown(control, board(31, 2550)), std::set<std::string>{"firmware control_mode"});
-  EXPECT_TRUE(unknown(control, board(31, 2590)).empty());
-}
-
-TEST(Availability, OfEnumValuesAndFields) {
-  msg::RealtimeData3 data;
-  for (auto* signal : {&data.rc.roll, &data.rc.pitch, &data.rc.yaw, &data.rc_cmd}) {
-    *signal = msg::RcSignal(1500);
-  }
-  data.cur_imu = msg::SelectedImu::main;
-  EXPECT_EQ(unknown(data, board(10, 2200)), std::set<std::string>{"board cur_imu"});
-  EXPECT_TRUE(unknown(data, board(31, 2200)).empty());
 }
 
 }  // namespace

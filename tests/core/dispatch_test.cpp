@@ -30,10 +30,6 @@ std::string name_of(Direction direction) {
   return direction == Direction::to_board ? "to_board" : "from_board";
 }
 
-std::string name_of(const Visited& visited) {
-  return visited.info == nullptr ? name(visited.status.code) : visited.info->name;
-}
-
 /// Returns the forms of a command in one direction from the exported model.
 std::vector<Json> forms(Direction direction, int id) {
   std::vector<Json> result;
@@ -126,14 +122,6 @@ TEST(Dispatch, TheModelAndTheCodecHaveTheSameMessages) {
   EXPECT_EQ(in_codec, in_model);
 }
 
-TEST(Dispatch, Id67IsControlOrConfirmByDirection) {
-  const ByteVector body(13);
-  EXPECT_EQ(name_of(visited(67, body, Direction::to_board)), "Control");
-  EXPECT_EQ(name_of(visited(67, body, Direction::from_board)), "Confirm");
-  EXPECT_EQ(name_of(visited(67, ByteVector(15), Direction::to_board)), "ControlExt");
-  EXPECT_EQ(visited(67, ByteVector(14), Direction::to_board).status.code, Code::unknown_form);
-}
-
 /// A switch over all commands of a direction compiles only with unique ids.
 template <class Command>
 constexpr bool ids_are_unique() {
@@ -148,20 +136,6 @@ static_assert(ids_are_unique<msg::CommandFromBoard>());
 static_assert(msg::Control::command == msg::CommandToBoard::control);
 static_assert(msg::Confirm::command == msg::CommandFromBoard::confirm);
 static_assert(static_cast<int>(msg::Control::command) == static_cast<int>(msg::Confirm::command));
-
-TEST(Dispatch, OneByteOfAFileIsAnError) {
-  EXPECT_EQ(name_of(visited(53, ByteVector(1), Direction::from_board)), "ReadFileError");
-  EXPECT_EQ(name_of(visited(53, ByteVector(5), Direction::from_board)), "ReadFile");
-  EXPECT_EQ(visited(53, ByteVector(2), Direction::from_board).status.code, Code::unknown_form);
-}
-
-TEST(Dispatch, UnknownCommand) {
-  for (const Direction direction : {Direction::to_board, Direction::from_board}) {
-    EXPECT_EQ(visited(0, {}, direction).status.code, Code::unknown_command);
-    EXPECT_EQ(visited(252, {}, direction).status.code, Code::unknown_command);
-    EXPECT_EQ(visited(252, {}, direction).calls, 0);
-  }
-}
 
 // Only the request determines which blocks the response contains.
 TEST(Dispatch, LiveDataAreReadAsTheyWereAskedFor) {

@@ -22,20 +22,8 @@ TEST(Effects, AreThoseOfTheRequest) {
   EXPECT_EQ(effects_of<msg::SystemStateRequest>, Effects(Effect::unknown));
 }
 
-TEST(Effects, OfAllCasesAreTakenTogether) {
-  EXPECT_TRUE(effects_of<msg::ExecuteMenu>.has(Effect::moves));
-  EXPECT_TRUE(effects_of<msg::ExecuteMenu>.has(Effect::restarts));
-  EXPECT_FALSE(effects_of<msg::ExecuteMenu>.has(Effect::reads));
-  EXPECT_FALSE(effects_of<msg::ExecuteMenu>.has(Effect::unknown));
-}
-
 TEST(Effects, OfAMessageInBothDirectionsAreThoseToTheBoard) {
   EXPECT_EQ(effects_of<msg::SetAdjVarsVal>, Effects(Effect::sets) | Effect::moves);
-}
-
-TEST(Effects, AMessageFromTheBoardHasNone) {
-  EXPECT_EQ(effects_of<msg::ReadParams3>, Effects());
-  EXPECT_EQ(effects_of<msg::GetAngles>, Effects());
 }
 
 template <class M>

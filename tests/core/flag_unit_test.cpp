@@ -75,12 +75,5 @@ constexpr msg::Control constant = [] {
 }();
 static_assert(constant.control_mode.raw() == 0x80 && constant.real_speed(yaw) == 0.5);
 
-TEST(FlagUnit, ALiteralIsInTheUsualUnit) {
-  msg::Control control;
-  EXPECT_TRUE(control.set_speed(2, 5_deg_per_s));
-  EXPECT_EQ(control.axes.yaw.speed, 5_deg_per_s);
-  EXPECT_EQ(control.control_mode.flags(), msg::ControlFlags());
-}
-
 }  // namespace
 }  // namespace sbgc::test

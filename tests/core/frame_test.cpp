@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include <sbgc/frame.hpp>
-#include <sbgc/parser.hpp>
 
 #include "streams.hpp"
 
@@ -85,25 +84,6 @@ TEST(WriteFrame, AcceptsABodyThatIsInPlace) {
   EXPECT_EQ(out, make_frame(9, body));
 }
 
-TEST(WriteFrame, WritesWhatTheParserReads) {
-  Random random(2);
-  for (int round = 0; round < 500; ++round) {
-    const auto id = static_cast<std::uint8_t>(1 + random.below(255));
-    const Bytes body = random.noise(random.below(256));
-    std::array<std::uint8_t, max_frame_size> out{};
-    const WriteResult result = write_frame(id, body, out);
-    ASSERT_TRUE(result);
-    int seen = 0;
-    Parser parser;
-    parser.feed(std::span(out).first(result.size), [&](const Frame& frame) {
-      ++seen;
-      EXPECT_EQ(frame.id, id);
-      EXPECT_EQ(Bytes(frame.body.begin(), frame.body.end()), body);
-    });
-    ASSERT_EQ(seen, 1);
-  }
-}
-
 // A frame of the second framing, written at compile time.
 constexpr Array<6> v2_frame{0x24, 0x4D, 0x00, 0x4D, 0x44, 0x0A};
 static_assert([] {
@@ -113,26 +93,6 @@ static_assert([] {
 static_assert(frame_at(v2_frame.data()).framing == Framing::v2);
 static_assert(check_frame<Framing::v2>(1, 255, 260).code == Code::buffer_too_small);
 static_assert(check_frame<Framing::v2>(1, 255, 261).code == Code::ok);
-
-template <CrcTable table>
-using CrcOf = sbgc::Crc<FramingFacts<Framing::v2>::trailer_checksum_crc, table>;
-
-TEST(Crc16, IsTheSameWithEveryTable) {
-  const Bytes text{'1', '2', '3', '4', '5', '6', '7', '8', '9'};
-  EXPECT_EQ(reference_crc(text), 0xBCDDU);
-  Random random(3);
-  for (std::size_t size = 0; size < 300; ++size) {
-    const Bytes bytes = random.noise(size);
-    const std::size_t cut = random.below(size + 1);
-    const auto crc = [&]<CrcTable table>(CrcOf<table> check) {
-      check.add(bytes.data(), cut);
-      return unsigned{check.add(bytes.data() + cut, size - cut).value()};
-    };
-    ASSERT_EQ(crc(CrcOf<CrcTable::nibbles>{}), reference_crc(bytes)) << size;
-    ASSERT_EQ(crc(CrcOf<CrcTable::bytes>{}), reference_crc(bytes)) << size;
-    ASSERT_EQ(crc(CrcOf<CrcTable::slices>{}), reference_crc(bytes)) << size;
-  }
-}
 
 TEST(WriteFrame, WritesEitherFraming) {
   Random random(4);

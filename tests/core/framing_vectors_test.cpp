@@ -1,5 +1,5 @@
-// Tests of framing with byte sequences from other sources (captures of real boards, worked
-// examples, constants in other people's code) and from the reference codec.
+// Tests of framing with byte sequences from the reference codec. Those of other sources are in
+// outside_vectors_test.cpp.
 
 #include <cstddef>
 #include <cstdint>
@@ -25,54 +25,6 @@ Bytes from_hex(const std::string& hex) {
     bytes.push_back(static_cast<std::uint8_t>(std::stoul(hex.substr(i, 2), nullptr, 16)));
   }
   return bytes;
-}
-
-/// Returns the sizes of the frames in `bytes`, which are the complete input.
-std::vector<std::size_t> frames_in(const Bytes& bytes) {
-  std::vector<std::size_t> sizes;
-  const auto sink = [&](const Frame& frame) { sizes.push_back(frame.body.size() + 5); };
-  Parser parser;
-  parser.feed(bytes, sink);
-  parser.flush(sink);
-  return sizes;
-}
-
-TEST(FramingVectors, YieldTheFramesTheyShould) {
-  std::ifstream file(SBGC_TEST_DATA "/vectors.json");
-  const nlohmann::json vectors = nlohmann::json::parse(file);
-  ASSERT_GE(vectors.size(), 29U);
-  for (const nlohmann::json& vector : vectors) {
-    SCOPED_TRACE(vector.dump());
-    const Bytes bytes = from_hex(vector.at("hex"));
-    const std::string kind = vector.at("kind");
-    if (kind == "payload") {
-      Bytes frame(bytes.size() + 5);
-      EXPECT_TRUE(write_frame(vector.at("command_id").get<std::uint8_t>(), bytes, frame));
-      EXPECT_EQ(frames_in(frame), std::vector{frame.size()});
-    } else if (vector.at("expect") == "valid") {
-      EXPECT_EQ(frames_in(bytes), std::vector{bytes.size()});
-      // Writing the decoded frame yields the same bytes.
-      Bytes again(bytes.size());
-      EXPECT_TRUE(write_frame(bytes[1], Bytes(bytes.begin() + 4, bytes.end() - 1), again));
-      EXPECT_EQ(again, bytes);
-    } else {
-      EXPECT_TRUE(frames_in(bytes).empty());
-    }
-  }
-}
-
-TEST(FramingVectors, SurviveOnOneLine) {
-  std::ifstream file(SBGC_TEST_DATA "/vectors.json");
-  Bytes line;
-  for (const nlohmann::json& vector : nlohmann::json::parse(file)) {
-    const Bytes bytes = from_hex(vector.at("hex"));
-    line.insert(line.end(), bytes.begin(), bytes.end());
-  }
-  std::vector<std::size_t> sizes;
-  for (const ReferenceFrame& frame : reference_parse(line, End::final).frames) {
-    sizes.push_back(frame.body.size() + 5);
-  }
-  EXPECT_EQ(frames_in(line), sizes);
 }
 
 Framing framing_named(const std::string& name) { return name == "v2" ? Framing::v2 : Framing::v1; }

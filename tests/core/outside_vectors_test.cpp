@@ -105,26 +105,6 @@ INSTANTIATE_TEST_SUITE_P(Entries, OutsideVectors, testing::Range<std::size_t>(0,
 
 TEST(OutsideVectorsFile, HasNotShrunk) { EXPECT_GE(vectors().size(), 31U); }
 
-// Exactly the commands that the exported model lacks are unknown: a command added to spec/ is
-// tested from then on, without a change here.
-TEST(OutsideVectorsFile, UnknownCommandsAreThoseTheModelLacks) {
-  std::multiset<int> unknown;
-  std::multiset<int> lacking;
-  for (const Json& vector : vectors()) {
-    if (vector["expect"] != "valid") continue;
-    const ByteVector bytes = from_hex(vector["hex"].get<std::string>());
-    const bool payload = vector["kind"] == "payload";
-    const int id = payload ? vector["command_id"].get<int>() : bytes.at(1);
-    const bool to_board = vector["direction"] == "to_board";
-    const MessageType* const type =
-        find_message(to_board ? Direction::to_board : Direction::from_board,
-                     static_cast<std::uint8_t>(id), payload ? bytes.size() : bytes.size() - 5);
-    if (type == nullptr) unknown.insert(id);
-    if (!ids_of_model(to_board ? "to_board" : "from_board").contains(id)) lacking.insert(id);
-  }
-  EXPECT_EQ(unknown, lacking);
-}
-
 // The reference codec reads the same frames: tests/generator/oracle/test_vendor_2026.py.
 TEST(OutsideVectorsFile, FramesOfTheVendorsCodeDecodeAndComeBack) {
   for (const Json& entry : read_json(SBGC_TEST_DATA "/vendor_2026.json")) {

@@ -113,15 +113,6 @@ void check_every_cutting(const Bytes& s) {
 const Bytes read_params{0x3E, 0x52, 0x01, 0x53, 0x01, 0x01};  // the specification's example
 const Bytes motors_on{0x3E, 0x4D, 0x00, 0x4D, 0x00};
 
-TEST(Parser, DeliversTheSpecificationsExample) {
-  Collector<> collector;
-  collector.feed(read_params);
-  const std::vector<ReferenceFrame> expected{{0x52, {0x01}, 0}};
-  EXPECT_EQ(collector.frames, expected);
-  EXPECT_EQ(collector.parser.counters(), (ParserCounters{.frames = 1}));
-  EXPECT_EQ(collector.parser.waiting_bytes(), 0U);
-}
-
 TEST(Parser, DeliversTheLongestBody) {
   for_each_parser([](const auto& collector, Accepts accepts) {
     const Bytes frame = accepts == Accepts::v1 ? make_frame(1, Bytes(255, 0x3E))
@@ -174,27 +165,6 @@ TEST(Parser, IsTheSameForEveryCuttingOfShortRandomStreams) {
       ASSERT_NO_FATAL_FAILURE(check_every_cutting(collector, accepts, s)) << "seed " << seed;
     }
   });
-}
-
-TEST(Parser, IsTheSameForEveryOneAndTwoCuts) {
-  for (std::uint32_t seed = 0; seed < 6; ++seed) {
-    const Accepts accepts = seed < 3 ? Accepts::v1 : Accepts::both;
-    Bytes s = Random(seed, accepts).stream(20);
-    s.resize(320);
-    const ReferenceResult open = reference_parse(s, End::open, 0, accepts);
-    const ReferenceResult final = reference_parse(s, End::final, 0, accepts);
-    for (std::size_t a = 0; a <= s.size(); ++a) {
-      for (std::size_t b = a; b <= s.size(); ++b) {
-        if (accepts == Accepts::v1) {
-          ASSERT_NO_FATAL_FAILURE(check_cuts(Collector<>{}, s, {a, b}, open, final))
-              << "seed " << seed << ", cut at " << a << " and " << b;
-        } else {
-          ASSERT_NO_FATAL_FAILURE(check_cuts(Collector<ParserOfAll>{}, s, {a, b}, open, final))
-              << "seed " << seed << ", cut at " << a << " and " << b;
-        }
-      }
-    }
-  }
 }
 
 // Many streams, chunks of many sizes, flushes in between: after every step, the frames, the
@@ -330,39 +300,6 @@ template <class P>
 class ParserOfEachKind : public ::testing::Test {};
 using ParserKinds = ::testing::Types<Parser, SmallParser>;
 TYPED_TEST_SUITE(ParserOfEachKind, ParserKinds, );
-
-TYPED_TEST(ParserOfEachKind, TellsWhichBytesWait) {
-  Collector<TypeParam> collector;
-  collector.feed(Bytes{1, 2, 0x3E});
-  EXPECT_EQ(collector.parser.waiting_bytes(), 1U);
-  EXPECT_EQ(collector.parser.counters(), (ParserCounters{.skipped_bytes = 2}));
-  collector.feed(Bytes{0x4D, 0x00});
-  EXPECT_EQ(collector.parser.waiting_bytes(), 3U);
-  collector.feed({});
-  EXPECT_EQ(collector.parser.waiting_bytes(), 3U);
-  collector.flush();
-  EXPECT_EQ(collector.parser.waiting_bytes(), 0U);
-  EXPECT_EQ(collector.parser.counters(), (ParserCounters{.skipped_bytes = 5, .incomplete = 1}));
-  collector.flush();
-  EXPECT_EQ(collector.parser.counters(), (ParserCounters{.skipped_bytes = 5, .incomplete = 1}));
-}
-
-TYPED_TEST(ParserOfEachKind, AcceptsEmptyChunks) {
-  Collector<TypeParam> collector;
-  collector.feed({});
-  collector.feed(motors_on);
-  collector.feed({});
-  collector.flush();
-  EXPECT_EQ(collector.parser.counters(), (ParserCounters{.frames = 1}));
-}
-
-TYPED_TEST(ParserOfEachKind, CountsEachKindOfError) {
-  Collector<TypeParam> collector;
-  collector.feed(concat({{0x3E, 1, 0, 2}, {0x3E, 0, 0, 0}, {0x3E, 1, 0, 1, 9}, motors_on}));
-  EXPECT_EQ(
-      collector.parser.counters(),
-      (ParserCounters{.frames = 1, .skipped_bytes = 13, .header_errors = 2, .body_errors = 1}));
-}
 
 TYPED_TEST(ParserOfEachKind, ForgetsEverythingOnReset) {
   Collector<TypeParam> collector;

@@ -57,58 +57,12 @@ TEST(Text, VersionsAreWrittenAsPeopleDo) {
   EXPECT_EQ(to_string(msg::BoardVersion(30)), "3.0");
 }
 
-TEST(Text, AMessageNamesItsValues) {
-  msg::GetAngles angles;
-  angles.axes.pitch.imu_angle = msg::Angle14(-1024);
-  EXPECT_EQ(to_string(angles),
-            "GetAngles{axes.roll.imu_angle = 0 deg, axes.roll.rc_target_angle = 0 deg, "
-            "axes.roll.rc_speed = 0 deg/s, axes.pitch.imu_angle = -22.5 deg, "
-            "axes.pitch.rc_target_angle = 0 deg, axes.pitch.rc_speed = 0 deg/s, "
-            "axes.yaw.imu_angle = 0 deg, axes.yaw.rc_target_angle = 0 deg, "
-            "axes.yaw.rc_speed = 0 deg/s}");
-  EXPECT_EQ(to_string(msg::MotorsOn{}), "MotorsOn{}");
-}
-
 TEST(Text, APartOfAMessageHasNoName) {
   msg::ControlAxis axis;
   axis.angle = msg::Angle14(2048);
   EXPECT_EQ(to_string(axis), "{speed = 0 deg/s, angle = 45 deg}");
   EXPECT_EQ(to_string(Axes<msg::Angle14>{axis.angle}),
             "{roll = 45 deg, pitch = 0 deg, yaw = 0 deg}");
-}
-
-TEST(Text, AFlagCanChangeAUnit) {
-  msg::ControlExt control;
-  control.control_mode.pitch = msg::ControlMode(0x82);
-  for (auto* axis : {&control.axes.roll, &control.axes.pitch})
-    axis->speed = msg::ControlSpeed(8192);
-  const std::string text = to_string(control);
-  EXPECT_NE(text.find("axes.roll.speed = 1000.03 deg/s"), std::string::npos) << text;
-  EXPECT_NE(text.find("axes.pitch.speed = 8.192 deg/s"), std::string::npos) << text;
-  EXPECT_NE(text.find("control_mode.pitch = (MODE_ANGLE, CONTROL_FLAG_HIGH_RES_SPEED),"),
-            std::string::npos)
-      << text;
-}
-
-TEST(Text, SpecialValuesTellTheirMeaning) {
-  msg::BeepSound beep;
-  beep.mode = msg::BeepMode::custom_melody;
-  beep.note_length = decltype(beep.note_length)(5);
-  beep.decay_factor = 3;
-  using Note = decltype(beep.note_freq_hz)::value_type;
-  for (const std::uint16_t note : {std::uint16_t{987}, std::uint16_t{21000}})
-    beep.note_freq_hz.push_back(Note(note));
-  EXPECT_EQ(to_string(beep),
-            "BeepSound{mode = BEEPER_MODE_CUSTOM_MELODY, note_length = 40 ms, decay_factor = 3, "
-            "note_freq_hz[0] = 987 Hz, "
-            "note_freq_hz[1] = 21000 (pause, then the envelope starts again)}");
-}
-
-TEST(Text, ReservedBytesAreShownIfTheyAreUsed) {
-  msg::BeepSound beep;
-  EXPECT_EQ(to_string(beep).find("reserved"), std::string::npos);
-  beep.reserved[1] = 0xAB;
-  EXPECT_NE(to_string(beep).find("reserved = 00ab"), std::string::npos) << to_string(beep);
 }
 
 TEST(Text, TextsAreQuotedAndHarmless) {
@@ -189,23 +143,6 @@ TEST(Text, FloatsHaveAllTheirDigits) {
   EXPECT_EQ(detail::real_text(0.1 + 1e-16, sizeof(double)), "0.1000000000000001");
 }
 
-TEST(Text, TheValueOfAVariableHasItsUnit) {
-  msg::SetAdjVarsVal set;
-  set.params.push_back({msg::VariableId::lpf_freq_roll, 120});
-  set.params.push_back({msg::VariableId::p_roll, 5});
-  EXPECT_EQ(to_string(set),
-            "SetAdjVarsVal{params[0].param_id = LPF_FREQ_ROLL, params[0].param_value = 120 Hz, "
-            "params[1].param_id = P_ROLL, params[1].param_value = 5 (before firmware 2.73.1)}");
-}
-
-TEST(Text, NumbersOf24Bits) {
-  msg::RealtimeDataCustom data;
-  data.encoder_raw24 = Axes<U24>{U24(1), U24(0xFFFFFF), U24(0)};
-  EXPECT_EQ(to_string(data),
-            "RealtimeDataCustom{timestamp_ms = 0 ms, encoder_raw24.roll = 1, "
-            "encoder_raw24.pitch = 16777215, encoder_raw24.yaw = 0}");
-}
-
 TEST(Text, NumbersWithAnAnnouncedTypeAreInThatType) {
   msg::DebugVars3 variables;
   variables.var_value.push_back({NumberType::i8, 0xFB});
@@ -231,62 +168,6 @@ std::vector<std::string> violations_in(const M& message, const Availability& ver
   return result;
 }
 using Sentences = std::vector<std::string>;
-
-TEST(Violations, SpeakInTheUnitOfTheField) {
-  msg::BeepSound beep;
-  beep.note_length = decltype(beep.note_length)(1);
-  using Note = decltype(beep.note_freq_hz)::value_type;
-  beep.note_freq_hz.push_back(Note(1));
-  beep.decay_factor = 16;
-  EXPECT_EQ(violations_in(beep),
-            (Sentences{"decay_factor: 16 is above 15", "note_freq_hz[0]: 1 Hz is below 554 Hz"}));
-}
-
-TEST(Violations, OfAVariableAreInItsUnit) {
-  msg::SetAdjVarsVal set;
-  set.params.push_back({msg::VariableId::lpf_freq_roll, 401});
-  set.params.push_back({msg::VariableId::pid_gain_roll, 256});
-  set.params.push_back({msg::VariableId::p_roll, -1});
-  EXPECT_EQ(violations_in(set), (Sentences{"params[0].param_value: 401 Hz is above 400 Hz",
-                                           "params[1].param_value: 5.22 is above 5.2",
-                                           "params[2].param_value: -1 is below 0"}));
-}
-
-TEST(Violations, OfCountsAndAlignment) {
-  msg::EepromWrite write;
-  write.addr = decltype(write.addr)(130);
-  ASSERT_TRUE(write.data.resize(65));
-  EXPECT_EQ(violations_in(write),
-            (Sentences{"addr: 130 is not a multiple of 64", "data: 65 is not a multiple of 64"}));
-  msg::SetAdjVarsVal none;
-  EXPECT_EQ(violations_in(none), Sentences{"num_vars: 0 is below 1"});
-  msg::BeepSound long_melody;
-  EXPECT_TRUE(long_melody.note_freq_hz.resize(51));
-  for (auto& note : long_melody.note_freq_hz) note = std::remove_cvref_t<decltype(note)>(1000);
-  EXPECT_EQ(violations_in(long_melody), Sentences{"note_freq_hz: 51 elements are more than 50"});
-}
-
-TEST(Violations, OfOrderNameTheOtherField) {
-  msg::ReadParamsExt2 params;
-  params.frame_cam_angle_min.pitch = msg::Degrees(-30);
-  params.frame_cam_angle_max.pitch = msg::Degrees(-31);
-  EXPECT_EQ(violations_in(params),
-            Sentences{"frame_cam_angle_min.pitch: -30 deg is above -31 deg of "
-                      "frame_cam_angle_max"});
-}
-
-TEST(Violations, OfVersionsNameTheVersion) {
-  msg::Control control;
-  control.control_mode = msg::ControlMode(0x82);
-  EXPECT_EQ(violations_in(control, {2599, 30}), Sentences{});
-  EXPECT_EQ(violations_in(control, {2439, 30}),
-            Sentences{"control_mode: CONTROL_FLAG_HIGH_RES_SPEED needs firmware 2.59"});
-  msg::WriteParams3 params;
-  params.pwm_freq = msg::PwmFrequency::ultra_high;
-  const Sentences found = violations_in(params, {2439, 12});
-  EXPECT_EQ(std::ranges::count(found, "pwm_freq: PWM_FREQ_ULTRA_HIGH needs board 3.0"), 1)
-      << testing::PrintToString(found);
-}
 
 TEST(Violations, NaNIsNoNumber) {
   msg::AhrsHelper vectors;

@@ -16,24 +16,6 @@
 namespace sbgc::test {
 namespace {
 
-TEST(Axes, NamesAndIndices) {
-  Axes<int> axes{1, 2, 3};
-  EXPECT_EQ(axes[0], 1);
-  EXPECT_EQ(axes[1], 2);
-  EXPECT_EQ(axes[2], 3);
-  axes[0] = 10;
-  axes[1] = 20;
-  axes[2] = 30;
-  EXPECT_EQ(axes, (Axes<int>{10, 20, 30}));
-  EXPECT_NE(axes, (Axes<int>{10, 20, 31}));
-}
-
-TEST(Xyz, NamesAndIndices) {
-  Xyz<int> xyz{1, 2, 3};
-  xyz[2] = xyz[0] + xyz[1] + 10;
-  EXPECT_EQ(xyz, (Xyz<int>{1, 2, 13}));
-}
-
 TEST(Integer24, HoldsEveryNumberOf24Bits) {
   EXPECT_EQ(U24(0xFFFFFF).raw(), 0xFFFFFFU);
   EXPECT_EQ(I24(0x7FFFFF).raw(), 0x7FFFFF);
@@ -131,13 +113,6 @@ constexpr BoundedArray<std::uint8_t, 3> list_at_compile_time = [] {
 }();
 static_assert(list_at_compile_time.size() == 1 && list_at_compile_time[0] == 5);
 static_assert(list_at_compile_time.data()[2] == 0, "a constant is initialized as a whole");
-
-TEST(BoundedArray, HoldsAFullBody) {
-  BoundedBytes<255> bytes;
-  EXPECT_TRUE(bytes.resize(255));
-  EXPECT_EQ(bytes.size(), 255U);
-  EXPECT_FALSE(bytes.push_back(1));
-}
 
 TEST(Text, IsPaddedWithNul) {
   using std::string_view_literals::operator""sv;

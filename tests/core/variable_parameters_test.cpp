@@ -211,12 +211,5 @@ TEST(VariableSettings, ValuesOutOfTheRangeAreRefused) {
   EXPECT_FALSE(variable_value(settings, static_cast<msg::VariableId>(200)));
 }
 
-TEST(VariableSettings, ToTheNearest) {
-  using detail::nearest;
-  static_assert(nearest(12, 5) == 2 && nearest(13, 5) == 3 && nearest(5, 2) == 3);
-  static_assert(nearest(-12, 5) == -2 && nearest(-13, 5) == -3 && nearest(-5, 2) == -3);
-  static_assert(nearest(0, 5) == 0 && nearest(-1, 3) == 0 && nearest(1, 3) == 0);
-}
-
 }  // namespace
 }  // namespace sbgc::test

@@ -8,8 +8,6 @@
 
 namespace {
 
-TEST(Version, IsTheOneOfCmake) { EXPECT_STREQ(SBGC_VERSION_TEXT, SBGC_CMAKE_VERSION); }
-
 TEST(Version, AsANumberOrdersReleases) {
   static_assert(SBGC_VERSION ==
                 SBGC_VERSION_MAJOR * 10000 + SBGC_VERSION_MINOR * 100 + SBGC_VERSION_PATCH);

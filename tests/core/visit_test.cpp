@@ -67,15 +67,6 @@ TEST(Visit, AFunctionGetsExactlyItsMessage) {
   EXPECT_EQ(calls_of_function(), 1);
 }
 
-TEST(Visit, OthersAreSkipped) {
-  int calls = 0;
-  const auto count = [&](const msg::Control&) { ++calls; };
-  EXPECT_TRUE(visit(*Framed(msg::MotorsOn{}), Direction::to_board, count));
-  EXPECT_TRUE(visit(*Framed(msg::ControlExt{}), Direction::to_board, count));
-  EXPECT_TRUE(visit(*Framed(msg::Confirm{}), Direction::from_board, count));
-  EXPECT_EQ(calls, 0);
-}
-
 TEST(Visit, WhatNobodyAcceptsIsNotDecoded) {
   const std::array<std::uint8_t, 3> cut{};
   const auto never = [](const msg::GetAngles&) { FAIL(); };

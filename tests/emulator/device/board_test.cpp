@@ -4,21 +4,11 @@
 #include <cstdint>
 #include <vector>
 
-#include <gtest/gtest.h>
-
 #include "host.hpp"
 #include "random_requests.hpp"
 
 namespace sbgc::test {
 namespace {
-
-TEST(Board, IntroducesItself) {
-  Host host;
-  const auto info = host.get<msg::BoardInfo>(msg::BoardInfoRequest{});
-  EXPECT_EQ(info.board_ver.raw(), 30);
-  EXPECT_EQ(info.firmware_ver.raw(), 2590);
-  EXPECT_FALSE(info.connection_flags.has(msg::ConnectionFlag::usb));
-}
 
 TEST(Board, KnowsWhichPortsAreUsb) {
   Host host;
@@ -184,50 +174,18 @@ TEST(Board, IntroducesItselfWhateverTheSizeOfTheRequest) {
   }
 }
 
-TEST(Board, NamesTheCommandThatItRefuses) {
-  Host host;
-  const auto error = host.get<msg::ErrorExt>(msg::ReadParams3Request{.profile_id = 17});
-  EXPECT_EQ(error.cmd_id, msg::CommandToBoard::read_params_3);
-  EXPECT_EQ(error.error_code, msg::BoardErrorCode::wrong_params);
-}
-
-TEST(Board, ReadsTheActiveProfile) {
-  Host host;
-  host.ask(msg::ExecuteMenu{.cmd_id = msg::MenuCommand::profile4});
-  const auto parameters = host.get<msg::ReadParams3>(
-      msg::ReadParams3Request{.profile_id = msg::ReadParams3Request::active_profile});
-  EXPECT_EQ(parameters.profile_id, 3);
-  EXPECT_EQ(parameters.cur_profile_id, 3);
-  EXPECT_EQ(parameters.cur_imu, msg::SelectedImu::main);
-}
-
-TEST(Board, SaysInItsAnswerThatAFileCannotBeRead) {
-  Host host;
-  const auto error = [&](std::uint16_t file, std::uint16_t size) {
-    return host
-        .get<msg::ReadFileError>(
-            msg::ReadFileRequest{.file_id = file, .max_data_size = msg::ByteCount(size)})
-        .err_code;
+TEST(Board, ExecutesNothingBeforeItsPassword) {
+  emulator::BoardOptions options = newest_board();
+  options.password = "sesame";
+  Host host(options);
+  std::vector<emulator::Reaction> reactions;
+  host.board.on_traffic = [&](const emulator::Board::Traffic& traffic) {
+    if (traffic.reaction) reactions.push_back(*traffic.reaction);
   };
-  EXPECT_EQ(error(1, 64), msg::FileError::file_not_found);
-  EXPECT_EQ(error(1, 252), msg::FileError::wrong_params) << "more than fits into a response";
-}
-
-TEST(Board, RefusesPagesThatAreNone) {
-  Host host;
-  const auto is_refused = [&](std::uint32_t address, std::uint16_t size) {
-    const auto packets = host.ask(msg::EepromReadRequest{address, msg::ByteCount(size)});
-    return packets.size() == 1 && is<msg::ErrorExt>(packets[0]);
-  };
-  EXPECT_FALSE(is_refused(64, 64));
-  EXPECT_TRUE(is_refused(10, 64));
-  EXPECT_TRUE(is_refused(64, 10));
-  EXPECT_TRUE(is_refused(0xFFFFFFC0, 64));
-  EXPECT_TRUE(is_refused(0, 256));
-  const auto error =
-      host.get<msg::ErrorExt>(msg::EepromReadRequest{0xA0B0C040, msg::ByteCount(64)});
-  EXPECT_EQ(error.error_data[0], 0x40) << "the address";
-  EXPECT_EQ(error.error_data[3], 0xA0);
+  ASSERT_TRUE(host.board.gimbal().motors_on());
+  host.ask(msg::MotorsOff{});
+  EXPECT_TRUE(host.board.gimbal().motors_on());
+  EXPECT_EQ(reactions, std::vector{emulator::Reaction::locked});
 }
 
 }  // namespace

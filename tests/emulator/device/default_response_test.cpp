@@ -1,9 +1,7 @@
 // The board's default responses match the model: for every request, including those with their own
-// handlers.
+// handlers, because later commands have none.
 
 #include "device/default_response.hpp"
-
-#include <gtest/gtest.h>
 
 #include <sbgc/dispatch.hpp>
 #include <sbgc/meta/all.hpp>
@@ -11,6 +9,7 @@
 #include <sbgc/roles.hpp>
 
 #include "device/device.hpp"
+#include "host.hpp"
 
 namespace sbgc::test {
 namespace {
@@ -23,10 +22,7 @@ using emulator::RequestContext;
 template <class Request>
 void expect_answer_of_model(const Request& request) {
   SCOPED_TRACE(Meta<Request>::info.name);
-  emulator::BoardOptions newest_board;
-  newest_board.firmware = msg::FirmwareVersion(newest_firmware);
-  newest_board.board = msg::BoardVersion(36);
-  Device device(newest_board, {}, {});
+  Device device(newest_board(), {}, {});
   const auto port = device.ports.open(false).value();
   const ResponsePolicy policy = response_policy(request);
   RequestContext context(device.ports, device.options, port, policy.responses.command,

@@ -1,15 +1,9 @@
 // Tests of the framings that an emulated board understands.
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "host.hpp"
 
 namespace sbgc::test {
 namespace {
-
-using ::testing::IsEmpty;
-using ::testing::SizeIs;
 
 TEST(BoardFraming, AnswersEachRequestInItsFraming) {
   Host host({.firmware = msg::FirmwareVersion(2680)});

@@ -7,9 +7,6 @@
 #include <numbers>
 #include <vector>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "physics/axis_response.hpp"
 #include "recorded_axis.hpp"
 #include "replies.hpp"
@@ -18,8 +15,6 @@ namespace sbgc::test {
 namespace {
 
 using emulator::AxisResponse;
-using ::testing::Each;
-using ::testing::SizeIs;
 
 /// A host of a board whose motors are on.
 struct Recorder : Host {
@@ -55,45 +50,6 @@ TEST(FrequencyResponse, SomeFirmwareConfirmsNothingAndCountsFrom0) {
   for (const auto& packet : host.listen(seconds(5))) packets.push_back(packet);
   EXPECT_EQ(confirmations<msg::BodeTestStartStopRequest>(packets), 0);
   EXPECT_EQ(all<msg::BodeTestStartStop>(packets).at(0).samples_count, 4999U);
-}
-
-TEST(FrequencyResponse, RefusesWhatItCannotRecord) {
-  using Code = msg::BoardErrorCode;
-  Recorder host;
-  auto wrong = recording();
-  wrong.start_freq = msg::Frequency(201);
-  EXPECT_EQ(refusal(host, wrong), Code::wrong_params);
-  EXPECT_EQ(refusal(host, recording(0)), Code::wrong_params);
-  host.ask(recording());
-  const Packets second = host.ask(recording());
-  EXPECT_EQ(all<msg::ErrorExt>(second).at(0).error_code, Code::wrong_state) << "one runs";
-  host.listen(seconds(5));
-  host.ask(msg::MotorsOffExt{});
-  EXPECT_EQ(refusal(host, recording()), Code::wrong_state);
-}
-
-TEST(FrequencyResponse, EndsWithTheMotors) {
-  Recorder host;
-  host.ask(recording());
-  host.listen(seconds(1));
-  const Packets packets = host.ask(msg::MotorsOffExt{});
-  const auto ends = all<msg::BodeTestStartStop>(packets);
-  ASSERT_THAT(ends, SizeIs(1));
-  EXPECT_NE(ends[0].error_code, 0);
-  EXPECT_LT(ends[0].samples_count, 2000U);
-  EXPECT_THAT(all<msg::BodeTestData>(host.listen(seconds(1))), SizeIs(0));
-}
-
-TEST(FrequencyResponse, IsAModeOfTheBoard) {
-  Recorder host(newest_board());  // earlier firmware has no name for it
-  const auto mode = [&] {
-    return all<msg::RealtimeData4>(host.ask(msg::RealtimeData4Request{})).at(0).calib_mode;
-  };
-  EXPECT_EQ(mode(), msg::CalibMode::none);
-  host.ask(recording());
-  EXPECT_EQ(mode(), msg::CalibMode::bode_test);
-  host.listen(seconds(5));
-  EXPECT_EQ(mode(), msg::CalibMode::none);
 }
 
 /// The response of a system to a lasting sine, which is measured at its end.

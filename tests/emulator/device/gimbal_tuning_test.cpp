@@ -37,21 +37,6 @@ TEST(Tuning, TheOffsetOfTheFollowModeIsOfEachAxis) {
   EXPECT_EQ(tuning(parameters).axes.yaw.follow_offset, 127);
 }
 
-TEST(Tuning, OldFirmwareHasOneLimitForAllAxes) {
-  Memory memory;
-  Parameters parameters(memory);
-  auto main = parameters.of<msg::ReadParams3>();
-  main.acc_limiter_all = msg::AngularAcceleration(10);
-  ASSERT_TRUE(parameters.write(0, main));
-  auto more = parameters.of<msg::ReadParamsExt2>();
-  more.acc_limiter3.yaw = msg::AngularAcceleration(40);
-  ASSERT_TRUE(parameters.write(0, more));
-  EXPECT_EQ(tuning(parameters).axes.yaw.acceleration, 200);
-  EXPECT_EQ(tuning(parameters).axes.roll.acceleration, 0) << "no limit";
-  const Availability old{2430, 30};
-  EXPECT_EQ(tuning_of(parameters, old, true, 1).axes.yaw.acceleration, 50);
-}
-
 TEST(Tuning, TheMotorsStopAtWhatTheSensorShows) {
   Memory memory;
   Parameters parameters(memory);

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <sbgc/emulator/board.hpp>
@@ -17,6 +18,10 @@
 #include <sbgc/time.hpp>
 
 namespace sbgc::test {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
 
 /// A message without its frame, and its time of arrival.
 struct Packet {

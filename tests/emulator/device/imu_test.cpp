@@ -1,9 +1,6 @@
-// Tests of the selection and correction of IMUs.
+// Tests of the correction of gyroscopes.
 
 #include <cmath>
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "replies.hpp"
 
@@ -11,46 +8,6 @@ namespace sbgc::test {
 namespace {
 
 using emulator::BoardOptions;
-using ::testing::IsEmpty;
-
-msg::SelectedImu active(Host& host) {
-  return host.get<msg::ReadParams3>(msg::ReadParams3Request{}).cur_imu;
-}
-
-TEST(SelectImu, TheChoiceIsReported) {
-  Host host;
-  EXPECT_EQ(active(host), msg::SelectedImu::main);
-  EXPECT_TRUE(is_confirmed(host, msg::SelectImu3{.imu_type = msg::SelectedImu::frame}));
-  EXPECT_EQ(active(host), msg::SelectedImu::frame);
-  msg::SelectImu3Ext later{.imu_type = msg::SelectedImu::main, .param = 7};
-  later.params.push_back(1);
-  EXPECT_TRUE(is_confirmed(host, later));
-  EXPECT_EQ(active(host), msg::SelectedImu::main);
-}
-
-TEST(SelectImu, WhatIsNotConnectedIsIgnored) {
-  BoardOptions options;
-  options.has_frame_imu = false;
-  Host host(options);
-  EXPECT_THAT(host.ask(msg::SelectImu3{.imu_type = msg::SelectedImu::frame}), IsEmpty());
-  EXPECT_THAT(host.ask(msg::SelectImu3{.imu_type = msg::SelectedImu{0}}), IsEmpty());
-  EXPECT_EQ(active(host), msg::SelectedImu::main);
-}
-
-TEST(GyroCorrection, ChangesTheDrift) {
-  BoardOptions options;
-  options.gimbal.noise = 0;
-  Host plain(options), corrected(options);
-  msg::GyroCorrection request{.imu_type = msg::ImuIndex::main,
-                              .gyro_zero_heading_corr = 4_gyro_unit};
-  EXPECT_TRUE(is_confirmed(corrected, request));
-  plain.ask(msg::SelectImu3{.imu_type = msg::SelectedImu::main});
-  for (Host* host : {&plain, &corrected}) host->listen(seconds(60));
-  // The camera turns, because the board measures no rotation.
-  const double one = plain.board.gimbal().sample(plain.now).joints.yaw;
-  const double other = corrected.board.gimbal().sample(corrected.now).joints.yaw;
-  EXPECT_GT(std::abs(one - other), 1);
-}
 
 TEST(GyroCorrection, IsRemembered) {
   Host host;
@@ -122,16 +79,6 @@ TEST(GyroCorrection, ACalibrationAtTheStartReplacesIt) {
   EXPECT_EQ(host.board.memory().imus[0].gyro_offset, emulator::Vector{});
   host.ask(msg::WriteParams3{parameters});
   EXPECT_NEAR(still(host), 0, 0.1);
-}
-
-TEST(GyroCorrection, NeedsAnImu) {
-  BoardOptions options;
-  options.has_frame_imu = false;
-  Host host(options);
-  EXPECT_EQ(refusal(host, msg::GyroCorrection{.imu_type = msg::ImuIndex::frame}),
-            msg::BoardErrorCode::not_supported);
-  EXPECT_EQ(refusal(host, msg::GyroCorrection{.imu_type = msg::ImuIndex{2}}),
-            msg::BoardErrorCode::wrong_params);
 }
 
 }  // namespace

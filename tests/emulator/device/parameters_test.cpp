@@ -9,11 +9,11 @@
 #include <set>
 #include <vector>
 
-#include <gtest/gtest.h>
-
 #include <sbgc/meta/all.hpp>
 #include <sbgc/validate.hpp>
 
+#include "device/storage/eeprom_records.hpp"
+#include "host.hpp"
 #include "random_parameters.hpp"
 
 namespace sbgc::test {
@@ -63,21 +63,6 @@ TEST(Parameters, SayTheNumberOfTheirProfile) {
     EXPECT_EQ(parameters.read<msg::ReadParams3>(profile).profile_id, profile);
     parameters.select_profile(profile);
     EXPECT_EQ(parameters.of<msg::ReadParams3>().profile_id, profile);
-  }
-}
-
-TEST(Parameters, OneProfileLeavesTheOthersAlone) {
-  Memory memory;
-  Parameters parameters(memory);
-  for (std::uint8_t profile = 0; profile < profiles; ++profile) {
-    ASSERT_TRUE(parameters.write(profile, with_gain<msg::ReadParams3>(100 + profile)));
-  }
-  ASSERT_TRUE(parameters.write(2, with_gain<msg::ReadParams3>(7)));
-  for (std::uint8_t profile = 0; profile < profiles; ++profile) {
-    const std::uint8_t expected = profile == 2 ? 7 : 100 + profile;
-    EXPECT_EQ(parameters.read<msg::ReadParams3>(profile).axes.roll.p, expected);
-    parameters.select_profile(profile);
-    EXPECT_EQ(parameters.of<msg::ReadParams3>().axes.roll.p, expected);
   }
 }
 
@@ -223,36 +208,6 @@ TEST(Parameters, ErasingLeavesNothing) {
   });
 }
 
-TEST(FactorySettings, AreAllowedOnOldBoardsToo) {
-  ParameterMessages::for_each([]<class M>(Type<M>) {
-    for (std::uint8_t copy = 0; copy < ParametersOf<M>::copies; ++copy) {
-      M message = factory_parameters<M>(copy);
-      for (const Availability versions : {newest, Availability{2400, 30}}) {
-        emulator::limit_to(versions, message);
-        validate(message, versions, [&](const Violation& violation) {
-          std::array<char, 128> path{};
-          violation.path.write(path.data(), path.size());
-          ADD_FAILURE() << Meta<M>::info.name << ' ' << int{copy} << ' ' << path.data() << ": "
-                        << violation.value << " against " << violation.limit;
-        });
-      }
-      if constexpr (ParametersOf<M>::copies > 1) {
-        EXPECT_EQ(ParametersOf<M>::copy(message), copy);
-      }
-    }
-  });
-}
-
-TEST(FactorySettings, NameTheProfiles) {
-  const auto names = factory_parameters<msg::ReadProfileNames>(0).profile_name;
-  EXPECT_EQ(std::string_view(names[0].data(), names[0].size()), "Profile 1");
-  EXPECT_EQ(std::string_view(names[4].data(), names[4].size()), "Profile 5");
-}
-
-TEST(FactorySettings, SlotsAreEmpty) {
-  EXPECT_EQ(factory_parameters<msg::ReadAdjVarsCfg>(0), msg::ReadAdjVarsCfg{});
-}
-
 TEST(FactorySettings, VariablesAreInsideOfTheirRanges) {
   Memory memory;
   const Parameters parameters(memory);
@@ -262,6 +217,41 @@ TEST(FactorySettings, VariablesAreInsideOfTheirRanges) {
     EXPECT_GE(*value, variable.range.lowest) << variable.name;
     EXPECT_LE(*value, variable.range.highest) << variable.name;
   }
+}
+
+// A memory that an earlier emulator wrote: its records had no CMD_READ_PARAMS_EXT3.
+TEST(EarlierMemory, KeepsAllItsParameters) {
+  emulator::Memory memory;
+  emulator::Eeprom eeprom(memory);
+  std::size_t address = emulator::layout::parameters;
+  const auto add = [&]<class M>(M message) {
+    for (std::uint8_t copy = 0; copy < ParametersOf<M>::copies; ++copy) {
+      if constexpr (requires { message.profile_id; }) message.profile_id = copy;
+      std::array<std::uint8_t, max_body_size> body{};
+      const auto size = encode(message, body).size;
+      EXPECT_TRUE(
+          emulator::write_record(eeprom, address, {M::command, copy}, std::span(body).first(size)));
+      address += emulator::record_size();
+    }
+  };
+  msg::ReadParams3 main;
+  main.axes.roll.p = 77;
+  msg::ReadAdjVarsCfg slots;
+  slots.trigger_slots[3].action[2] = msg::MenuCommand::profile3;
+  msg::ReadExternalData user;
+  user.data[100] = 0xA5;
+  add(main);
+  add(msg::ReadParamsExt{});
+  add(msg::ReadParamsExt2{});
+  add(msg::ReadProfileNames{});
+  add(slots);
+  add(user);
+  Host host(newest_board(), memory);
+  EXPECT_EQ(host.get<msg::ReadParams3>(msg::ReadParams3Request{.profile_id = 3}).axes.roll.p, 77);
+  EXPECT_EQ(host.get<msg::ReadAdjVarsCfg>(msg::ReadAdjVarsCfgRequest{}), slots);
+  EXPECT_EQ(host.get<msg::ReadExternalData>(msg::ReadExternalDataRequest{}), user);
+  EXPECT_EQ(host.get<msg::ReadParamsExt3>(msg::ReadParamsExt3Request{.profile_id = 2}).profile_id,
+            2);
 }
 
 }  // namespace

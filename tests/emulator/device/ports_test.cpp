@@ -2,17 +2,11 @@
 
 #include <vector>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include "host.hpp"
 #include "random_requests.hpp"
 
 namespace sbgc::test {
 namespace {
-
-using ::testing::IsEmpty;
-using ::testing::SizeIs;
 
 const Bytes who = frame_of(86, {});
 const std::size_t answer_size = frame_of(86, Bytes(18)).size();

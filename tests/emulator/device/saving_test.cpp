@@ -3,8 +3,6 @@
 #include <cstdint>
 #include <vector>
 
-#include <gtest/gtest.h>
-
 #include "host.hpp"
 #include "random_requests.hpp"
 #include "replies.hpp"

@@ -1,7 +1,5 @@
 // Tests of the statistics of the board's whole life.
 
-#include <gtest/gtest.h>
-
 #include "replies.hpp"
 
 namespace sbgc::test {
@@ -51,29 +49,6 @@ TEST(StateVariables, AreNotStoredIfTheParametersForbidIt) {
   const auto revision = host.board.memory().revision;
   host.listen(seconds(600));
   EXPECT_EQ(host.board.memory().revision, revision);
-}
-
-TEST(StateVariables, CanBeWritten) {
-  Host host(newest_board());
-  msg::WriteStateVars write;
-  write.startup_cnt = 420;
-  write.work_time = msg::LongSeconds(1'000'000);
-  write.energy = msg::WattHours(12.5F);
-  write.reserved[151] = 0x5A;
-  EXPECT_TRUE(is_confirmed(host, write));
-  host.listen(seconds(10));
-  const auto found = statistics(host);
-  EXPECT_EQ(found.startup_cnt, 420);
-  EXPECT_NEAR(found.work_time.milliseconds() / 1000, 1'000'010, 2);
-  EXPECT_GT(found.energy.watt_hours(), 12.5);
-  EXPECT_EQ(found.reserved[151], 0x5A) << "bytes without a meaning are kept";
-}
-
-TEST(StateVariables, NeedTheFeature) {
-  auto options = newest_board();
-  options.features_ext = {};
-  Host host(options);
-  EXPECT_EQ(refusal(host, msg::ReadStateVarsRequest{}), msg::BoardErrorCode::not_supported);
 }
 
 }  // namespace

@@ -2,9 +2,6 @@
 
 #include <vector>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <sbgc/roles.hpp>
 
 #include "host.hpp"
@@ -12,9 +9,6 @@
 
 namespace sbgc::test {
 namespace {
-
-using ::testing::IsEmpty;
-using ::testing::SizeIs;
 
 msg::DataStreamInterval stream(msg::CommandFromBoard command, int interval_ms) {
   msg::DataStreamInterval request;
@@ -117,36 +111,6 @@ TEST(Streams, AreLimitedOverAllPorts) {
   host.port = other;
   EXPECT_FALSE(is_error(host.ask(stream(msg::CommandFromBoard::realtime_data_3, 60'000))))
       << "there is room";
-}
-
-TEST(Streams, OnlySomeCommandsCanStream) {
-  Host host;
-  EXPECT_TRUE(is_error(host.ask(stream(msg::CommandFromBoard::get_angles, 10))));
-  EXPECT_TRUE(is_error(host.ask(stream(msg::CommandFromBoard::read_params_3, 10))));
-  auto attitude = stream(msg::CommandFromBoard::ahrs_helper, 100);
-  attitude.config.imu_type = msg::ImuIndex::frame;
-  host.ask(attitude, microseconds(800));
-  EXPECT_THAT(all<msg::AhrsHelper>(host.listen(seconds(1))), SizeIs(10));
-}
-
-TEST(Streams, NeedAnImuThatThereIs) {
-  Host host;
-  auto attitude = stream(msg::CommandFromBoard::ahrs_helper, 100);
-  attitude.config.imu_type = msg::ImuIndex{2};
-  EXPECT_TRUE(is_error(host.ask(attitude)));
-}
-
-TEST(Streams, EndWithARestart) {
-  Host host;
-  host.ask(stream(msg::CommandFromBoard::realtime_data_3, 10));
-  host.ask(msg::ResetRequest{}, seconds(1));
-  EXPECT_THAT(host.listen(seconds(1)), IsEmpty());
-}
-
-TEST(Streams, AnswersGoOnBesideThem) {
-  Host host;
-  host.ask(stream(msg::CommandFromBoard::realtime_data_4, 1));
-  EXPECT_THAT(all<msg::BoardInfo>(host.ask(msg::BoardInfoRequest{})), SizeIs(1));
 }
 
 }  // namespace

@@ -9,9 +9,6 @@
 #include <string>
 #include <vector>
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <sbgc/dispatch.hpp>
 #include <sbgc/json_dom.hpp>
 #include <sbgc/meta/all.hpp>
@@ -24,7 +21,6 @@ namespace {
 
 using emulator::BoardOptions;
 using emulator::Reaction;
-using ::testing::SizeIs;
 
 BoardOptions with_firmware(std::uint8_t board, std::uint16_t firmware) {
   BoardOptions options;
@@ -184,75 +180,6 @@ INSTANTIATE_TEST_SUITE_P(Versions, EveryFirmware,
                                          std::array<std::uint16_t, 2>{36, 2708},
                                          std::array<std::uint16_t, 2>{36, newest_firmware}),
                          [](const auto& test) { return std::to_string(test.param[1]); });
-
-TEST(Surplus, IsIgnored) {
-  Host host;
-  const auto angles = host.get<msg::GetAngles>(msg::GetAnglesRequest{});
-  host.send_bytes(frame_of(73, Bytes{1}));
-  const Packets answer = host.listen(milliseconds(50));
-  ASSERT_THAT(answer, SizeIs(1));
-  EXPECT_EQ(message<msg::GetAngles>(answer[0]).axes.pitch.rc_target_angle,
-            angles.axes.pitch.rc_target_angle);
-  host.send_bytes(frame_of(77, Bytes{1}));
-  EXPECT_EQ(confirmations<msg::MotorsOn>(host.listen(milliseconds(50))), 1);
-  EXPECT_TRUE(host.board.gimbal().motors_on());
-  EXPECT_EQ(host.board.counters().unknown, 0U);
-}
-
-TEST(Surplus, IsWhatTheFirmwareDoesNotHave) {
-  constexpr std::uint8_t motors_off = 109;
-  const Bytes safe_stop{2};
-  for (const std::uint16_t firmware : {std::uint16_t{2686}, std::uint16_t{2687}}) {
-    SCOPED_TRACE(firmware);
-    for (const Bytes& body : {Bytes{}, safe_stop, Bytes{2, 1}, Bytes{9}}) {
-      Host host(with_firmware(30, firmware));
-      msg::Control turn;
-      turn.control_mode.set_mode(msg::ControlModeKind::speed);
-      turn.axes.yaw.speed = 60_deg_per_s;
-      host.ask(msg::MotorsOn{});
-      host.ask(turn, seconds(1));
-      host.send_bytes(frame_of(motors_off, body));
-      const Packets answer = host.listen(milliseconds(1));
-      const bool has_mode = firmware == 2687 && !body.empty();
-      if (has_mode && body[0] == 9) {
-        EXPECT_EQ(refusal<msg::MotorsOff>(answer), msg::BoardErrorCode::wrong_params);
-        continue;
-      }
-      EXPECT_EQ(confirmations<msg::MotorsOff>(answer), 1);
-      // A safe stop ends with motors that have no power; it has just begun.
-      EXPECT_EQ(host.board.gimbal().motors_on(), has_mode);
-    }
-  }
-}
-
-TEST(Surplus, IsTheActionOfALaterSelection) {
-  constexpr std::uint8_t select_imu = 24;
-  for (const std::size_t size : {2U, 10U, 11U, 12U, 20U}) {
-    Host host(with_firmware(30, 2590));
-    Bytes body(size);
-    body[0] = 2;
-    host.send_bytes(frame_of(select_imu, body));
-    EXPECT_EQ(confirmations<msg::SelectImu3>(host.listen(milliseconds(50))), 1) << size;
-    EXPECT_EQ(host.get<msg::ReadParams3>(msg::ReadParams3Request{}).cur_imu,
-              msg::SelectedImu::frame);
-  }
-}
-
-TEST(Surplus, IsRefusedByAStrictBoard) {
-  BoardOptions options;
-  options.is_strict = true;
-  Host host(options);
-  for (const std::uint8_t id : {std::uint8_t{73}, std::uint8_t{77}, std::uint8_t{109}}) {
-    Packets packets;
-    EXPECT_EQ(verdict_of(host, id, 1, packets), Reaction::malformed) << int{id};
-    ASSERT_THAT(all<msg::ErrorExt>(packets), SizeIs(1));
-    EXPECT_EQ(all<msg::ErrorExt>(packets)[0].error_code, msg::BoardErrorCode::cmd_size);
-    EXPECT_EQ(verdict_of(host, id, 0, packets), Reaction::executed) << int{id};
-  }
-  options.firmware = msg::FirmwareVersion(newest_firmware);
-  Host newest(options);
-  EXPECT_TRUE(is_confirmed(newest, msg::MotorsOff{})) << "every firmware takes the empty body";
-}
 
 }  // namespace
 }  // namespace sbgc::test

@@ -51,21 +51,6 @@ TEST(Variables, ThoseThatThereAreNot) {
   }
 }
 
-TEST(Variables, ChangeTheSettingsInUse) {
-  Memory memory;
-  Parameters parameters(memory);
-  ASSERT_TRUE(parameters.set_variable(msg::VariableId::p_roll, 99));
-  EXPECT_EQ(parameters.of<msg::ReadParams3>().axes.roll.p, 99);
-  EXPECT_EQ(parameters.read<msg::ReadParams3>(0).axes.roll.p, 99);
-}
-
-TEST(Variables, ASmallLimitDoesNotSwitchTheLimiterOff) {
-  Memory memory;
-  Parameters parameters(memory);
-  ASSERT_TRUE(parameters.set_variable(msg::VariableId::acc_limiter_roll, 2));
-  EXPECT_EQ(parameters.of<msg::ReadParamsExt2>().acc_limiter3.roll.raw(), 1);
-}
-
 TEST(Variables, ACoarserSettingHasTheNearestStep) {
   Memory memory;
   Parameters parameters(memory);

@@ -39,6 +39,19 @@ def refused(*arguments: str) -> str:
     return result.error
 
 
+def talk(requests: bytes, *arguments: str) -> bytes:
+    """Returns what an emulator on standard output answers to its standard input."""
+    done = subprocess.run(
+        [PROGRAM, "emulate", "--stdio", *arguments],
+        input=requests,
+        capture_output=True,
+        timeout=PATIENCE,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
 def restore_sighup() -> None:
     """Restores the default handling of SIGHUP, in case the tests run under nohup."""
     signal.signal(signal.SIGHUP, signal.SIG_DFL)
@@ -57,6 +70,7 @@ class Emulator:
         )
         assert self.process.stdout is not None
         self.places: list[str] = []
+        self.lines: list[Line] = []
         self.error = ""
         for _ in range(boards * places):
             line = self.process.stdout.readline().decode()
@@ -72,12 +86,20 @@ class Emulator:
             raise AssertionError(self.error)
         return self
 
+    def host(self, place: int = 0) -> Connection:
+        """Connects a host, until the with block ends."""
+        line = Connection(self.places[place])
+        self.lines.append(line)
+        return line
+
     def __exit__(
         self,
         kind: Optional[Type[BaseException]],
         error: Optional[BaseException],
         trace: Optional[TracebackType],
     ) -> None:
+        for line in self.lines:
+            line.close()
         if self.process.poll() is None:
             status = self.end()
             assert kind is not None or status == 0, self.error
@@ -171,6 +193,11 @@ class Connection(Line):
 
     def close(self) -> None:
         self.socket.close()
+
+    def is_refused(self) -> bool:
+        """Returns True if the other side closes the connection without a byte."""
+        self.socket.settimeout(PATIENCE)
+        return self.socket.recv(1) == b""
 
 
 def terminal_of(place: str) -> Path:

@@ -35,14 +35,22 @@ struct LiveBoardRig {
   std::size_t told = 0;  // notifications of output for the first host
   std::size_t first =
       *board.connect(false, [this] { told += board.output(first).empty() ? 0U : 1U; });
+
+  void poll_again() {
+    context.poll();
+    context.restart();
+  }
+  /// A host sends a request, and time passes until its answer is due.
+  void ask(std::size_t port) {
+    board.receive(port, request());
+    let_time_pass(board);
+  }
 };
 
 TEST(LiveBoard, AnotherHostConnectsWhenAnAnswerIsDue) {
   LiveBoardRig rig;
-  rig.context.poll();
-  rig.context.restart();
-  rig.board.receive(rig.first, request());
-  let_time_pass(rig.board);
+  rig.poll_again();
+  rig.ask(rig.first);
   ASSERT_TRUE(rig.board.connect(false, [] {}));
   EXPECT_FALSE(rig.board.output(rig.first).empty());
   EXPECT_EQ(rig.told, 0U);  // not from within connect()
@@ -52,10 +60,8 @@ TEST(LiveBoard, AnotherHostConnectsWhenAnAnswerIsDue) {
 
 TEST(LiveBoard, AHostSetsItsLineWhenAnAnswerIsDue) {
   LiveBoardRig rig;
-  rig.context.poll();
-  rig.context.restart();
-  rig.board.receive(rig.first, request());
-  let_time_pass(rig.board);
+  rig.poll_again();
+  rig.ask(rig.first);
   rig.board.set_host_rate(rig.first, 9600);
   EXPECT_EQ(rig.told, 0U);
   rig.context.poll();
@@ -72,10 +78,8 @@ TEST(LiveBoard, AnAnswerThatComesWhileAnotherHostIsServed) {
     if (size > 0) rig.board.take(second, size);
   });
   is_slow = false;
-  rig.context.poll();
-  rig.context.restart();
-  rig.board.receive(second, request());
-  let_time_pass(rig.board);
+  rig.poll_again();
+  rig.ask(second);
   is_slow = true;
   rig.board.receive(rig.first, request());  // executed while the second host is being notified
   rig.context.poll();

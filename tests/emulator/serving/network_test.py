@@ -31,7 +31,7 @@ def test_tcp_has_several_hosts() -> None:
     with Emulator("--tcp", "0") as emulator:
         (place,) = emulator.places
         assert place.startswith("tcp:127.0.0.1:")
-        hosts = [Connection(place) for _ in range(8)]
+        hosts = [emulator.host() for _ in range(8)]
         for host in hosts:
             host.send(BOARD_INFO)
         for host in hosts:
@@ -42,9 +42,8 @@ def test_tcp_has_several_hosts() -> None:
         hosts[1].heard = b""
         assert not hosts[1].receive(0.2)
         # A ninth host is refused until one of the others leaves.
-        ninth = Connection(place)
-        ninth.socket.settimeout(PATIENCE)
-        assert ninth.socket.recv(1) == b""
+        ninth = emulator.host()
+        assert ninth.is_refused()
         ninth.close()
         hosts[3].close()
         end = time.monotonic() + PATIENCE
@@ -57,8 +56,6 @@ def test_tcp_has_several_hosts() -> None:
             assert time.monotonic() < end
             time.sleep(0.05)
         another.close()
-        for host in hosts[:3] + hosts[4:]:
-            host.close()
         emulator.end()
         assert "refused: all 8 places for TCP are in use" in emulator.error
 
@@ -87,7 +84,7 @@ TLS_HANDSHAKE = b"\x16\x03\x01\x02\x00\x01\x00\x01\xfc"
 def test_a_web_page_is_no_host(request_of_page: bytes, split: int) -> None:
     """A browser sends frames in the body of a request, because a web page tells it to."""
     with Emulator("--tcp", "0") as emulator:
-        page = Connection(emulator.places[0])
+        page = emulator.host()
         page.socket.settimeout(PATIENCE)
         page.socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         try:
@@ -97,22 +94,18 @@ def test_a_web_page_is_no_host(request_of_page: bytes, split: int) -> None:
             assert page.socket.recv(1) == b""
         except ConnectionError:
             pass  # closed before it has sent all
-        page.close()
 
 
 def test_refused_hosts_do_not_fill_the_log() -> None:
     with Emulator("--tcp", "0") as emulator:
-        hosts = [Connection(emulator.places[0]) for _ in range(8)]
+        hosts = [emulator.host() for _ in range(8)]
         for host in hosts:
             host.send(BOARD_INFO)
             assert len(host.body(BOARD_INFO)) == 18
         for _ in range(100):
-            refused_host = Connection(emulator.places[0])
-            refused_host.socket.settimeout(PATIENCE)
-            assert refused_host.socket.recv(1) == b""
+            refused_host = emulator.host()
+            assert refused_host.is_refused()
             refused_host.close()
-        for host in hosts:
-            host.close()
         emulator.end()
     assert 5 <= emulator.error.count("refused: all 8 places for TCP") < 50
     assert "further refusals in this second are not reported" in emulator.error
@@ -121,17 +114,16 @@ def test_refused_hosts_do_not_fill_the_log() -> None:
 @pytest.mark.parametrize("noise", [b"G", b"\x16\x02\x03", b"GET", b"POSE ", b"DELET\x00"])
 def test_noise_is_no_web_page(noise: bytes) -> None:
     with Emulator("--tcp", "0") as emulator:
-        host = Connection(emulator.places[0])
+        host = emulator.host()
         host.socket.sendall(noise)
         time.sleep(0.02)
         host.send(BOARD_INFO)
         assert len(host.body(BOARD_INFO)) == 18
-        host.close()
 
 
 def test_tcp_hosts_that_vanish_are_noticed() -> None:
     with Emulator("--tcp", "0") as emulator:
-        host = Connection(emulator.places[0])
+        host = emulator.host()
         assert host.ask(BOARD_INFO)
         end = time.monotonic() + PATIENCE
         kind, ticks = timer_of(emulator.places[0])
@@ -146,7 +138,7 @@ def test_tcp_hosts_that_vanish_are_noticed() -> None:
 def test_tcp_has_one_host_after_the_other() -> None:
     with Emulator("--tcp", "0") as emulator:
         for _ in range(40):
-            host = Connection(emulator.places[0])
+            host = emulator.host()
             assert host.ask(BOARD_INFO)
             host.close()
         emulator.end()
@@ -155,53 +147,46 @@ def test_tcp_has_one_host_after_the_other() -> None:
 
 def test_tcp_host_that_sends_its_end_with_its_requests() -> None:
     with Emulator("--tcp", "0", "--baud", "9600") as emulator:
-        host = Connection(emulator.places[0])
+        host = emulator.host()
         for _ in range(20):
             host.send(BOARD_INFO_3)
         host.socket.shutdown(socket.SHUT_WR)
         while host.receive(PATIENCE):
             pass
         assert len(host.heard) == 20 * 74
-        host.close()
 
 
 def test_udp_has_several_hosts() -> None:
     with Emulator("--udp", "0") as emulator:
         (place,) = emulator.places
         assert place.startswith("udp:127.0.0.1:")
-        hosts = [Connection(place), Connection(place)]
+        hosts = [emulator.host(), emulator.host()]
         for host in hosts:
             assert len(host.ask(BOARD_INFO)) == 18
         hosts[0].send(DATA_STREAM_INTERVAL, stream(20))
         hosts[0].body(REALTIME_DATA_4)
         hosts[1].heard = b""
         assert not hosts[1].receive(0.2)
-        for host in hosts:
-            host.close()
 
 
 def test_udp_leaves_places_for_tcp() -> None:
     with Emulator("--tcp", "0", "--udp", "0", places=2) as emulator:
-        tcp, udp = emulator.places
-        senders = [Connection(udp) for _ in range(50)]
+        senders = [emulator.host(1) for _ in range(50)]
         for sender in senders:
             sender.send(BOARD_INFO)
         for sender in senders[:4]:
             assert len(sender.body(BOARD_INFO)) == 18
-        hosts = [Connection(tcp) for _ in range(4)]
+        hosts = [emulator.host() for _ in range(4)]
         for host in hosts:
             assert len(host.ask(BOARD_INFO)) == 18
-        fifth = Connection(tcp)
-        fifth.socket.settimeout(PATIENCE)
-        assert fifth.socket.recv(1) == b""
+        fifth = emulator.host()
+        assert fifth.is_refused()
         # Transient hosts make room for a new one.
-        newcomer = Connection(udp)
+        newcomer = emulator.host(1)
         end = time.monotonic() + PATIENCE
         while not newcomer.receive(0.1):
             newcomer.send(BOARD_INFO)
             assert time.monotonic() < end
-        for line in [*senders, *hosts, fifth, newcomer]:
-            line.close()
         emulator.end()
         assert "refused: all 4 places for UDP" in emulator.error
         assert "refused: all 4 places for TCP" in emulator.error
@@ -209,7 +194,7 @@ def test_udp_leaves_places_for_tcp() -> None:
 
 def test_udp_tells_once_of_a_host_that_is_refused() -> None:
     with Emulator("--udp", "0") as emulator:
-        hosts = [Connection(emulator.places[0]) for _ in range(9)]
+        hosts = [emulator.host() for _ in range(9)]
         for host in hosts[:8] + hosts[:8]:  # twice, which makes them permanent
             assert len(host.ask(BOARD_INFO)) == 18
         for _ in range(100):
@@ -218,13 +203,11 @@ def test_udp_tells_once_of_a_host_that_is_refused() -> None:
         assert not hosts[8].receive(0)
         assert emulator.end() == 0
         assert emulator.error.count("refused") == 1
-        for host in hosts:
-            host.close()
 
 
 def test_udp_carries_whole_answers_and_no_more_than_fits() -> None:
     with Emulator("--udp", "0") as emulator:
-        host = Connection(emulator.places[0])
+        host = emulator.host()
         host.send(BOARD_INFO_3)
         assert len(host.socket.recv(65536)) == 74
         for _ in range(10):  # more than fit
@@ -235,28 +218,25 @@ def test_udp_carries_whole_answers_and_no_more_than_fits() -> None:
             host.receive(1)
         answers, rest = divmod(host.heard.count(bytes([0x3E, BOARD_INFO, 18])), 800)
         assert 1 <= answers < 10 and rest == 0
-        host.close()
 
 
 def test_udp_takes_a_large_datagram_when_nothing_waits() -> None:
     with Emulator("--udp", "0", "--baud", "57600") as emulator:
-        host = Connection(emulator.places[0])
+        host = emulator.host()
         host.socket.send(frame(BOARD_INFO) * 900)
         while len(host.heard) < 900 * 23:
             assert host.receive(PATIENCE)
         assert len(host.heard) == 900 * 23
-        host.close()
 
 
 def test_udp_loses_a_datagram_when_an_earlier_one_waits() -> None:
     with Emulator("--udp", "0", "--baud", "300", "--verbose") as emulator:
-        host = Connection(emulator.places[0])
+        host = emulator.host()
         host.socket.send(frame(BOARD_INFO) * 900)  # takes minutes
         host.socket.send(frame(BOARD_INFO_3) * 800)
         assert emulator.process.stdout is not None
         while b"lost a datagram of 4000 bytes" not in emulator.process.stdout.readline():
             assert emulator.process.poll() is None
-        host.close()
 
 
 def two_free_ports() -> int:
@@ -289,7 +269,7 @@ def test_a_host_that_does_not_read() -> None:
     with Emulator("--pty", "--tcp", "0", places=2) as emulator:
         terminal = Terminal(emulator.places[0])
         terminal.send(DATA_STREAM_INTERVAL, stream(1))
-        other = Connection(emulator.places[1])
+        other = emulator.host(1)
         # A pseudo-terminal buffers few samples and is soon full, while the other host still gets
         # responses.
         unchanged = before = 0
@@ -302,7 +282,6 @@ def test_a_host_that_does_not_read() -> None:
             before = now
             time.sleep(0.01)
         assert terminal.body(REALTIME_DATA_4)
-        other.close()
         terminal.close()
 
 
@@ -317,16 +296,14 @@ def test_other_machines_only_when_told() -> None:
 
 def test_a_host_that_floods() -> None:
     with Emulator("--tcp", "0") as emulator:
-        host = Connection(emulator.places[0])
+        host = emulator.host()
         host.socket.settimeout(0.5)
         requests = frame(BOARD_INFO) * 10000
         with pytest.raises(socket.timeout):  # blocked by backpressure
             for _ in range(1000):
                 host.socket.sendall(requests)
-        other = Connection(emulator.places[0])
+        other = emulator.host()
         assert other.ask(BOARD_INFO)
         status = Path(f"/proc/{emulator.process.pid}/status").read_text(encoding="utf-8")
         (size,) = (int(line.split()[1]) for line in status.splitlines() if line.startswith("VmRSS"))
         assert size < 500_000  # KiB; sanitizers need more
-        other.close()
-        host.close()

@@ -21,11 +21,10 @@ from sbgc_command import PROGRAM, frame, run
 
 def test_every_frame_as_a_line() -> None:
     with Emulator("--tcp", "0", "--verbose") as emulator:
-        host = Connection(emulator.places[0])
+        host = emulator.host()
         host.ask(BOARD_INFO)
         host.send(200)
         host.ask(BOARD_INFO)
-        host.close()
         emulator.end()
         request = emulator.rest.index("> CMD_BOARD_INFO (86), 0 bytes  executed")
         assert request < emulator.rest.index("< CMD_BOARD_INFO (86), 18 bytes")
@@ -64,7 +63,9 @@ def ask_often(host: Connection) -> None:
 def test_a_reader_of_its_output_that_stalls(kind: str) -> None:
     reader, out = os.pipe() if kind == "pipe" else pty.openpty()
     process = subprocess.Popen(
-        [PROGRAM, "emulate", "--tcp", "0", "--verbose"], stdout=out, stderr=subprocess.PIPE
+        [PROGRAM, "emulate", "--tcp", "0", "--verbose"],
+        stdout=out,
+        stderr=subprocess.PIPE,
     )
     try:
         line = b""
@@ -99,19 +100,16 @@ def test_a_reader_of_its_warnings_that_stalls() -> None:
     with Emulator("--tcp", "0") as emulator:
         assert emulator.process.stderr is not None
         fcntl.fcntl(emulator.process.stderr, fcntl.F_SETPIPE_SZ, 4096)
-        hosts = [Connection(emulator.places[0]) for _ in range(8)]
+        hosts = [emulator.host() for _ in range(8)]
         for host in hosts:
             assert host.ask(BOARD_INFO)
         for _ in range(100):
-            refusal = Connection(emulator.places[0])
-            refusal.socket.settimeout(PATIENCE)
-            assert refusal.socket.recv(1) == b""
+            refusal = emulator.host()
+            assert refusal.is_refused()
             refusal.close()
         assert hosts[0].ask(BOARD_INFO)
         emulator.process.terminate()
         assert emulator.process.wait(PATIENCE) == 0
-        for host in hosts:
-            host.close()
 
 
 def test_warnings_that_cannot_be_written() -> None:
@@ -124,7 +122,7 @@ def test_warnings_that_cannot_be_written() -> None:
     hosts = [Connection(place) for _ in range(9)]
     for host in hosts[:8]:
         assert host.ask(BOARD_INFO)
-    assert hosts[8].socket.recv(1) == b""  # refused, which prints a warning
+    assert hosts[8].is_refused()  # refused, which prints a warning
     assert hosts[0].ask(BOARD_INFO)
     for host in hosts:
         host.close()
@@ -143,7 +141,13 @@ def test_an_example_whose_output_stalls(tmp_path: Path) -> None:
     ) as output:
         place = emulator.places[0]
         assert run("motors", "off", "--yes", "-p", place).status == 0
-        arguments = [tour, place, str(tmp_path / "capture"), str(tmp_path / "backup"), "--yes"]
+        arguments = [
+            tour,
+            place,
+            str(tmp_path / "capture"),
+            str(tmp_path / "backup"),
+            "--yes",
+        ]
         process = subprocess.Popen(arguments, stdout=output.descriptor)
         try:
             shown = b""
@@ -160,4 +164,8 @@ def test_an_example_whose_output_stalls(tmp_path: Path) -> None:
             process.kill()
         emulator.end()
         requests = re.findall(r"> (CMD_(?:CONTROL|MOTORS)\w*)", emulator.rest)
-        assert requests[-3:] == ["CMD_MOTORS_ON", "CMD_CONTROL", "CMD_MOTORS_OFF"], requests
+        assert requests[-3:] == [
+            "CMD_MOTORS_ON",
+            "CMD_CONTROL",
+            "CMD_MOTORS_OFF",
+        ], requests

@@ -30,26 +30,23 @@ def test_state_survives(tmp_path: Path) -> None:
     state = tmp_path / "state"
     data = bytes(range(128))
     with Emulator("--tcp", "0", "--state", str(state)) as emulator:
-        host = Connection(emulator.places[0])
+        host = emulator.host()
         serial = host.ask(BOARD_INFO_3)[:21]
         host.send(WRITE_EXTERNAL_DATA, data)
         host.body(CONFIRM)
         emulator.process.kill()
         emulator.wait()
-        host.close()
     with Emulator("--tcp", "0", "--state", str(state)) as emulator:
-        host = Connection(emulator.places[0])
+        host = emulator.host()
         assert host.ask(READ_EXTERNAL_DATA) == data
         assert host.ask(BOARD_INFO_3)[:21] == serial
         # Changes just before the exit are saved, too.
         host.send(WRITE_EXTERNAL_DATA, data[::-1])
         host.body(CONFIRM)
         assert emulator.end() == 0
-        host.close()
     with Emulator("--tcp", "0", "--state", str(state)) as emulator:
-        host = Connection(emulator.places[0])
+        host = emulator.host()
         assert host.ask(READ_EXTERNAL_DATA) == data[::-1]
-        host.close()
     assert list(tmp_path.iterdir()) == [state]
     assert "firmware 2.59, not of" in refused("--state", str(state), "--firmware", "2.43b9")
 
@@ -81,13 +78,19 @@ def test_what_is_confirmed_is_on_the_disk(tmp_path: Path) -> None:
             line.close()
         before = data
     with Emulator("--tcp", "0", "--state", str(state)) as emulator:
-        assert sorted(path.name for path in tmp_path.iterdir()) == ["state", "state.sbgc-lock"]
+        assert sorted(path.name for path in tmp_path.iterdir()) == [
+            "state",
+            "state.sbgc-lock",
+        ]
     assert list(tmp_path.iterdir()) == [state]
 
 
 def test_what_a_killed_one_leaves_is_removed(tmp_path: Path) -> None:
     state = tmp_path / "state"
-    left = [tmp_path / "state.17-0.sbgc-tmp", tmp_path / f"backup.json.{os.getpid()}-23.sbgc-tmp"]
+    left = [
+        tmp_path / "state.17-0.sbgc-tmp",
+        tmp_path / f"backup.json.{os.getpid()}-23.sbgc-tmp",
+    ]
     others = [
         tmp_path / name
         for name in (
@@ -168,13 +171,12 @@ def test_a_state_that_cannot_be_saved_any_more(tmp_path: Path) -> None:
     folder.mkdir()
     with Emulator("--tcp", "0", "--state", str(folder / "state")) as emulator:
         folder.rename(tmp_path / "elsewhere")
-        host = Connection(emulator.places[0])
+        host = emulator.host()
         host.send(WRITE_EXTERNAL_DATA, bytes(range(128)))
         assert host.body(ERROR)[0] == WRITE_EXTERNAL_DATA
         assert emulator.process.stderr is not None
         assert b"cannot write" in emulator.process.stderr.readline()
         assert host.ask(BOARD_INFO)
-        host.close()
         assert emulator.end() == 1
         assert emulator.error.count("cannot write") == 1  # it is retried at the end
         assert "not everything could be saved" in emulator.error
@@ -185,11 +187,10 @@ def test_board_and_firmware(tmp_path: Path) -> None:
     # The state identifies its board.
     for model in (["--firmware", "2.43b9", "--board", "3.1"], []):
         with Emulator("--tcp", "0", *state, *model) as emulator:
-            host = Connection(emulator.places[0])
+            host = emulator.host()
             info = host.ask(BOARD_INFO)
             assert info[0] == 31
             assert int.from_bytes(info[1:3], "little") == 2439
-            host.close()
     # Options that are given must match the state; others may be omitted.
     for model in (["--firmware", "2.43b9"], ["--board", "3.1"]):
         with Emulator("--tcp", "0", *state, *model):

@@ -10,7 +10,15 @@ from pathlib import Path
 
 import pytest
 
-from emulator import BOARD_INFO, BOARD_INFO_3, CONFIRM, DATA_STREAM_INTERVAL, PATIENCE, stream
+from emulator import (
+    BOARD_INFO,
+    BOARD_INFO_3,
+    CONFIRM,
+    DATA_STREAM_INTERVAL,
+    PATIENCE,
+    stream,
+    talk,
+)
 from sbgc_command import PROGRAM, frame
 
 
@@ -43,33 +51,9 @@ def test_standard_input_and_output(tmp_path: Path) -> None:
     assert (tmp_path / "out").read_bytes()[:2] == bytes([0x3E, BOARD_INFO])
 
 
-def test_what_is_not_known_is_refused_by_its_code() -> None:
-    done = subprocess.run(
-        [PROGRAM, "emulate", "--stdio"],
-        input=frame(BOARD_INFO, b"\0") + frame(200) + frame(67, bytes(14)) + frame(BOARD_INFO),
-        capture_output=True,
-        timeout=PATIENCE,
-        check=False,
-    )
-    assert done.returncode == 0, done.stderr
-    introduction = done.stdout[: 5 + 18]
-    unknown_command = frame(255, bytes([200, 6, 0, 0, 0, 0]))
-    wrong_size = frame(255, bytes([67, 1, 0, 0, 0, 0]))
-    assert introduction[1] == BOARD_INFO, "for a body of one byte, too"
-    assert done.stdout == introduction + unknown_command + wrong_size + introduction
-
-
 def test_standard_input_that_ends_before_the_answers() -> None:
     for line, number in ((["--baud", "9600"], 20), ([], 2000)):
-        done = subprocess.run(
-            [PROGRAM, "emulate", "--stdio", *line],
-            input=frame(BOARD_INFO_3) * number,
-            capture_output=True,
-            timeout=PATIENCE,
-            check=False,
-        )
-        assert done.returncode == 0, done.stderr
-        answers, rest = divmod(len(done.stdout), 74)
+        answers, rest = divmod(len(talk(frame(BOARD_INFO_3) * number, *line)), 74)
         assert rest == 0
         # Requests are read in chunks, and a stall between two chunks may lose a request.
         assert number * 99 // 100 <= answers <= number
@@ -78,16 +62,9 @@ def test_standard_input_that_ends_before_the_answers() -> None:
 @pytest.mark.parametrize("line", [["--baud", "9600"], ["--text", "0.001"], []])
 def test_standard_input_that_asks_for_streams(line: list[str]) -> None:
     begin = time.monotonic()
-    done = subprocess.run(
-        [PROGRAM, "emulate", "--stdio", *line],
-        input=frame(DATA_STREAM_INTERVAL, stream(1)) + frame(BOARD_INFO) * 20,
-        capture_output=True,
-        timeout=PATIENCE,
-        check=False,
-    )
-    assert done.returncode == 0, done.stderr
-    assert done.stdout.count(bytes([0x3E, CONFIRM])) == 1
-    assert done.stdout.count(bytes([0x3E, BOARD_INFO, 18])) == 20
+    answers = talk(frame(DATA_STREAM_INTERVAL, stream(1)) + frame(BOARD_INFO) * 20, *line)
+    assert answers.count(bytes([0x3E, CONFIRM])) == 1
+    assert answers.count(bytes([0x3E, BOARD_INFO, 18])) == 20
     assert time.monotonic() - begin < PATIENCE / 2
 
 
@@ -110,15 +87,7 @@ def test_answers_that_nobody_takes() -> None:
 
 def test_a_request_after_what_only_looked_like_the_beginning_of_one() -> None:
     begun = b">" + bytes([BOARD_INFO, 200, (BOARD_INFO + 200) % 256])
-    done = subprocess.run(
-        [PROGRAM, "emulate", "--stdio"],
-        input=begun + frame(BOARD_INFO),
-        capture_output=True,
-        timeout=PATIENCE,
-        check=False,
-    )
-    assert done.returncode == 0, done.stderr
-    assert done.stdout[:2] == bytes([0x3E, BOARD_INFO])
+    assert talk(begun + frame(BOARD_INFO))[:2] == bytes([0x3E, BOARD_INFO])
 
 
 @pytest.mark.parametrize("closed", ["<&-", ">&-"])
