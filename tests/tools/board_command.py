@@ -1,10 +1,12 @@
-"""Runs commands that talk to a board: with a terminal, and interrupted at a certain frame."""
+"""Runs commands that talk to a board: in a terminal, and interrupted at a certain frame."""
 
 from __future__ import annotations
 
 import os
 import pty
 import subprocess
+import time
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -41,6 +43,46 @@ def answer_on_terminal(answer: str, *arguments: str) -> Ended:
     os.close(master)
     assert is_answered, shown
     return Ended(process.returncode, out, shown.decode())
+
+
+class Terminal:
+    """A terminal in which the command runs."""
+
+    def __init__(self, *arguments: str) -> None:
+        self.process, self.screen = pty.fork()
+        if self.process == 0:
+            os.execv(PROGRAM, [PROGRAM, *arguments])
+        self.shown = b""
+
+    def await_text(self, text: bytes) -> None:
+        deadline = time.monotonic() + 30
+        while text not in self.shown:
+            assert time.monotonic() < deadline, self.shown
+            try:
+                self.shown += os.read(self.screen, 4096)
+            except OSError:
+                raise AssertionError(f"the command has ended: {self.shown!r}") from None
+
+    def press(self, keys: bytes) -> None:
+        os.write(self.screen, keys)
+
+    def hold(self, keys: tuple[bytes, ...], is_done: Callable[[], bool]) -> None:
+        """As a held key repeats."""
+        deadline = time.monotonic() + 30
+        while not is_done():
+            assert time.monotonic() < deadline, self.shown
+            for key in keys:
+                self.press(key)
+            time.sleep(0.03)
+
+    def status(self) -> int:
+        """Waits for the end; the screen must be read meanwhile."""
+        try:
+            while part := os.read(self.screen, 4096):
+                self.shown += part
+        except OSError:
+            pass  # the other side is closed
+        return os.waitstatus_to_exitcode(os.waitpid(self.process, 0)[1])
 
 
 class Watched:

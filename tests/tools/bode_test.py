@@ -91,36 +91,6 @@ def test_several_positions_have_a_file_each(gimbal: EmulatedGimbal, tmp_path: Pa
     assert "CMD_BODE_TEST" not in again.error and "CMD_CONTROL" not in again.error
 
 
-def test_the_files_of_positions_differ(tmp_path: Path) -> None:
-    nowhere = ("-p", "tcp:127.0.0.1:1", "--yes", "-o", str(tmp_path / "new"))
-    near = run("bode", "roll", *SHORT, "--at", "0.2,0", "--at", "0.4,0", *nowhere)
-    assert near.status == 1 and "refused the connection" in near.error
-    same = run("bode", "roll", *SHORT, "--at", "0,0", "--at", "-0,0.0", *nowhere)
-    assert same.status == 2 and "ROLL_R0_P0_Y0.csv would be written twice" in same.error
-    assert not (tmp_path / "new").exists()
-
-
-@pytest.mark.parametrize(
-    "arguments, words",
-    [
-        (("-o", "/dev/full"), "cannot write /dev/full: not a regular file"),
-        (("--svg", "/dev/full"), "cannot write /dev/full: not a regular file"),
-        (("-o", "{folder}"), "not a regular file"),
-        (("-o", "{folder}/none/roll.csv"), "none/roll.csv: No such file or directory"),
-        (("-o", "{folder}/both", "--svg", "{folder}/../{name}/both"), "would be written twice"),
-        (("-o", "{folder}/mine", "--at", "0,0"), "is no folder; with --at, -o names one"),
-    ],
-)
-def test_files_are_checked_before_anything_moves(
-    arguments: tuple[str, ...], words: str, tmp_path: Path
-) -> None:
-    (tmp_path / "mine").write_text("mine")
-    given = [one.format(folder=tmp_path, name=tmp_path.name) for one in arguments]
-    result = run("bode", "roll", *SHORT, *given, "--yes", "-p", "tcp:127.0.0.1:1")
-    assert result.status in (1, 2) and words in " ".join(result.error.split()), result
-    assert [path.name for path in tmp_path.iterdir()] == ["mine"]
-
-
 def interrupted(
     gimbal: EmulatedGimbal, file: Path, *options: str, signals: int, number: int = signal.SIGINT
 ) -> tuple[int, str, float]:
@@ -272,36 +242,6 @@ def test_a_short_file_has_no_coherence(tmp_path: Path) -> None:
     assert result.status == 1 and "short.csv: line 3: not two numbers" in result.error
 
 
-@pytest.mark.parametrize(
-    "arguments, words",
-    [
-        (("roll", *SHORT), "-o, --table or --svg"),
-        (SHORT + ("--table",), "say the axis"),
-        (("roll", "--table"), "say --gain, --from and --to"),
-        (("roll", *SHORT[2:], "--gain", "10001", "--table"), "10001"),
-        (("roll", *SHORT, "--seconds", "61", "--table"), "61"),
-        (("roll", *SHORT, "--seconds", "3.9", "--table"), "from 4 to 60"),
-        (
-            ("roll", "--gain", "1", "--from", "5", "--to", "6", "--table"),
-            "no frequency of the response, a multiple of 1.22 Hz, is from --from 5 to --to 6",
-        ),
-        (("roll", "--gain", "1", "--from", "9", "--to", "9", "--table"), "is from --from 9"),
-        (
-            ("roll", "--gain", "1", "--from", "9", "--to", "8", "--table"),
-            "--from 9 is above --to 8",
-        ),
-        (("roll", *SHORT, "--table", "--at", "5"), "'5' is not ROLL,PITCH"),
-        (("roll", *SHORT, "--table", "--at", "5,x"), "'5,x' is not ROLL,PITCH"),
-        (("roll", *SHORT, "--table", "--at", "181,0"), "'181,0' is not ROLL,PITCH"),
-        (("roll", "--read", "x", "--table"), "takes no axis"),
-        (("roll", *SHORT, "--table", "--system", "plant"), "is none of CONTROLLER, OPEN_LOOP"),
-    ],
-)
-def test_wrong_usage(arguments: tuple[str, ...], words: str) -> None:
-    result = run("bode", *arguments, "-p", "tcp:127.0.0.1:1")
-    assert result.status == 2 and words in " ".join(result.error.split())
-
-
 ASKED = {
     "CMD_REALTIME_DATA_3": (),
     "CMD_REALTIME_DATA_4": (),
@@ -376,16 +316,3 @@ def test_a_full_disk_loses_no_table(gimbal: EmulatedGimbal, tmp_path: Path) -> N
     assert done.returncode == 1 and not file.exists()
     assert f"cannot write {file}: File too large" in " ".join(done.stderr.split())
     assert len(rows_of(done.stdout)) == 159
-
-
-def test_it_asks_first(gimbal: EmulatedGimbal) -> None:
-    result = run("bode", "roll", *SHORT, "--table", "-p", gimbal.address)
-    assert result.status == 1 and "add --yes" in " ".join(result.error.split())
-
-
-def test_existing_files_are_kept(tmp_path: Path) -> None:
-    file = tmp_path / "roll.csv"
-    file.write_text("mine")
-    result = run("bode", "roll", *SHORT, "-o", str(file), "--yes", "-p", "tcp:127.0.0.1:1")
-    assert result.status == 1 and "--force" in result.error
-    assert file.read_text() == "mine"

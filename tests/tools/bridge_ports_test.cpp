@@ -98,6 +98,19 @@ Bytes sample_of(msg::CommandFromBoard what, std::size_t size) {
   return bytes;
 }
 
+msg::Confirm confirmation_of(msg::CommandToBoard command) {
+  msg::Confirm confirmation;
+  confirmation.cmd = command;
+  return confirmation;
+}
+
+msg::ErrorExt error_of(msg::CommandToBoard command, msg::BoardErrorCode code = {}) {
+  msg::ErrorExt error;
+  error.cmd_id = command;
+  error.error_code = code;
+  return error;
+}
+
 class Bridge : public ::testing::Test {
  protected:
   std::size_t join() {
@@ -105,9 +118,7 @@ class Bridge : public ::testing::Test {
     return *ports.connect(false, [this, index = wakes.size() - 1] { ++wakes[index]; });
   }
   static msg::Confirm confirmation_of_stream() {
-    msg::Confirm confirmation;
-    confirmation.cmd = msg::DataStreamInterval::command;
-    return confirmation;
+    return confirmation_of(msg::DataStreamInterval::command);
   }
   template <class M>
   void ask(std::size_t port, const M& request, Framing framing = basic_framing) {
@@ -154,26 +165,18 @@ class Bridge : public ::testing::Test {
   std::vector<int> wakes;
 };
 
-TEST_F(Bridge, EachOfTwoHostsGetsItsOwnAnswer) {
+class OneHost : public Bridge {
+ protected:
+  const std::size_t host = join();
+};
+
+class TwoHosts : public Bridge {
+ protected:
   const std::size_t first = join();
   const std::size_t second = join();
-  ask(first, msg::GetAnglesRequest{});
-  ask(second, msg::GetAnglesRequest{});
-  ASSERT_THAT(line.sent, SizeIs(2));
-  msg::GetAngles one;
-  one.axes.yaw.imu_angle = 10_deg;
-  msg::GetAngles two;
-  two.axes.yaw.imu_angle = 20_deg;
-  answer(line.sent[0], one);
-  EXPECT_EQ(read(first), frame_of(one));
-  EXPECT_THAT(read(second), IsEmpty());
-  answer(line.sent[1], two);
-  EXPECT_EQ(read(second), frame_of(two));
-  EXPECT_THAT(read(first), IsEmpty());
-}
+};
 
-TEST_F(Bridge, GoesOnWithTheStopOfAHostThatLeaves) {
-  const std::size_t host = join();
+TEST_F(OneHost, GoesOnWithTheStopOfAHostThatLeaves) {
   ask(host, turning(0));
   ports.disconnect(host);
   ASSERT_THAT(line.stops, SizeIs(1));
@@ -188,15 +191,13 @@ TEST_F(Bridge, GoesOnWithMotorsOffUntilTheyAreConfirmed) {
   EXPECT_TRUE(line.stops[0].turns_motors_off());
   const std::size_t second = join();
   ask(second, msg::MotorsOff{});
-  msg::Confirm confirmation;
-  confirmation.cmd = msg::MotorsOff::command;
+  const msg::Confirm confirmation = confirmation_of(msg::MotorsOff::command);
   answer(line.sent.back(), confirmation);
   ports.disconnect(second);
   EXPECT_THAT(line.stops, SizeIs(1));
 }
 
-TEST_F(Bridge, AStopThatHasBeenSeenIsDone) {
-  const std::size_t host = join();
+TEST_F(OneHost, AStopThatHasBeenSeenIsDone) {
   ask(host, turning(0));
   msg::GetAngles state;
   send(state);
@@ -228,20 +229,7 @@ TEST_F(Bridge, LaterMotionOfAnotherHostEndsAStop) {
   EXPECT_THAT(line.stops, IsEmpty());
 }
 
-TEST_F(Bridge, BodiesPassUnchanged) {
-  const std::size_t host = join();
-  msg::Control control;
-  control.axes.pitch.angle = -30_deg;
-  ask(host, control);
-  ASSERT_THAT(line.sent, SizeIs(1));
-  const RawRequest& request = line.sent[0].request;
-  EXPECT_EQ(request.id, static_cast<std::uint8_t>(msg::Control::command));
-  const Bytes frame = frame_of(control);
-  EXPECT_TRUE(std::equal(request.body.begin(), request.body.end(), frame.begin() + 4));
-}
-
-TEST_F(Bridge, UnknownRequestsPassToo) {
-  const std::size_t host = join();
+TEST_F(OneHost, UnknownRequestsPassToo) {
   Bytes bytes(max_frame_size);
   const Bytes body{1, 2, 3};
   bytes.resize(write_frame(basic_framing, 249, body, bytes).size);
@@ -254,9 +242,7 @@ TEST_F(Bridge, UnknownRequestsPassToo) {
   EXPECT_EQ(read(host), bytes);
 }
 
-TEST_F(Bridge, UnknownMessagesGoToAllHosts) {
-  const std::size_t first = join();
-  const std::size_t second = join();
+TEST_F(TwoHosts, UnknownMessagesGoToAllHosts) {
   Bytes bytes(max_frame_size);
   const Bytes body{0x0e, 0x45};
   bytes.resize(write_frame(basic_framing, 200, body, bytes).size);
@@ -265,15 +251,7 @@ TEST_F(Bridge, UnknownMessagesGoToAllHosts) {
   EXPECT_EQ(read(second), bytes);
 }
 
-TEST_F(Bridge, TheAnswerHasTheFramingOfTheHost) {
-  const std::size_t host = join();
-  ask(host, msg::GetAnglesRequest{}, Framing::v2);
-  answer(line.sent.at(0), msg::GetAngles{});
-  EXPECT_EQ(read(host), frame_of(msg::GetAngles{}, Framing::v2));
-}
-
-TEST_F(Bridge, ARequestThatFailsHasNoAnswer) {
-  const std::size_t host = join();
+TEST_F(OneHost, ARequestThatFailsHasNoAnswer) {
   ask(host, msg::GetAnglesRequest{});
   EXPECT_FALSE(ports.is_quiet(host));
   ports.ended(line.sent.at(0).tag);
@@ -283,22 +261,17 @@ TEST_F(Bridge, ARequestThatFailsHasNoAnswer) {
   EXPECT_TRUE(ports.is_quiet(host));
 }
 
-TEST_F(Bridge, UnsolicitedMessagesGoToAll) {
-  const std::size_t first = join();
-  const std::size_t second = join();
+TEST_F(TwoHosts, UnsolicitedMessagesGoToAll) {
   send(msg::Reset{});
   EXPECT_EQ(read(first), frame_of(msg::Reset{}));
   EXPECT_EQ(read(second), frame_of(msg::Reset{}));
 }
 
-TEST_F(Bridge, ALateAnswerGoesToTheOneWhoAsked) {
-  const std::size_t first = join();
-  const std::size_t second = join();
+TEST_F(TwoHosts, ALateAnswerGoesToTheOneWhoAsked) {
   ask(first, msg::Control{});
   ports.ended(line.sent.at(0).tag);  // its confirmation is not certain
   ask(second, msg::Control{});
-  msg::Confirm confirmation;
-  confirmation.cmd = msg::Control::command;
+  const msg::Confirm confirmation = confirmation_of(msg::Control::command);
   send(confirmation);
   EXPECT_EQ(read(first), frame_of(confirmation));
   EXPECT_THAT(read(second), IsEmpty());
@@ -331,17 +304,14 @@ TEST_F(Bridge, AnAnswerIsNobodysAfterAMinute) {
   EXPECT_EQ(read(other), frame_of(msg::GetAngles{}));
 }
 
-TEST_F(Bridge, WhatAHostHasAskedForOnceDoesNotFillTheMemory) {
-  const std::size_t host = join();
+TEST_F(OneHost, WhatAHostHasAskedForOnceDoesNotFillTheMemory) {
   ask(host, msg::GetAnglesRequest{});
   answer(line.sent[0], msg::GetAngles{});
   for (int i = 0; i < 10'000; ++i) send(msg::GetAngles{});
   EXPECT_LT(ports.output(host).size(), 2 * BridgePorts::max_output);
 }
 
-TEST_F(Bridge, SeveralAnswersGoToTheOneWhoAsked) {
-  const std::size_t first = join();
-  const std::size_t second = join();
+TEST_F(TwoHosts, SeveralAnswersGoToTheOneWhoAsked) {
   ask(second, msg::GetAnglesRequest{});
   answer(line.sent.back(), msg::GetAngles{});
   time = time + seconds(10);
@@ -354,9 +324,7 @@ TEST_F(Bridge, SeveralAnswersGoToTheOneWhoAsked) {
   EXPECT_THAT(read(second), IsEmpty());
 }
 
-TEST_F(Bridge, AnErrorWithoutACommandIsForTheOnlyOneWhoAsks) {
-  const std::size_t first = join();
-  const std::size_t second = join();
+TEST_F(TwoHosts, AnErrorWithoutACommandIsForTheOnlyOneWhoAsks) {
   ask(first, msg::Control{});
   ports.ended(line.sent.back().tag);
   send(msg::Error{});
@@ -369,14 +337,11 @@ TEST_F(Bridge, AnErrorWithoutACommandIsForTheOnlyOneWhoAsks) {
   EXPECT_THAT(read(second), IsEmpty());
 }
 
-TEST_F(Bridge, TheEndOfATaskIsForTheLastHostThatHasBegunOne) {
-  const std::size_t first = join();
-  const std::size_t second = join();
+TEST_F(TwoHosts, TheEndOfATaskIsForTheLastHostThatHasBegunOne) {
   msg::Control task;
   task.control_mode.set_mode(msg::ControlModeKind::angle);
   task.control_mode.set_flags(msg::ControlFlag::auto_task);
-  msg::Confirm confirmation;
-  confirmation.cmd = msg::Control::command;
+  const msg::Confirm confirmation = confirmation_of(msg::Control::command);
   const auto confirmed = [&] {
     send(confirmation);
     const std::size_t count = read(first).empty() ? 0 : 1;
@@ -398,19 +363,14 @@ TEST_F(Bridge, TheEndOfATaskIsForTheLastHostThatHasBegunOne) {
   EXPECT_EQ(confirmed(), 10U) << "the first task has no end";
 }
 
-TEST_F(Bridge, AStopThatDropsMotionIsAnErrorOfItsHost) {
-  const std::size_t first = join();
-  const std::size_t second = join();
+TEST_F(TwoHosts, AStopThatDropsMotionIsAnErrorOfItsHost) {
   ask(first, msg::Control{});
   ports.ended(line.sent.back().tag, ErrorCode::superseded);
-  msg::ErrorExt error;
-  error.cmd_id = msg::Control::command;
-  error.error_code = msg::BoardErrorCode::wrong_state;
+  const msg::ErrorExt error = error_of(msg::Control::command, msg::BoardErrorCode::wrong_state);
   EXPECT_EQ(read(first), frame_of(error));
   ask(second, msg::Control{});
   ports.ended(line.sent.back().tag);
-  msg::Confirm confirmation;
-  confirmation.cmd = msg::Control::command;
+  const msg::Confirm confirmation = confirmation_of(msg::Control::command);
   send(confirmation);
   EXPECT_THAT(read(first), IsEmpty());
   EXPECT_EQ(read(second), frame_of(confirmation));
@@ -427,9 +387,7 @@ TEST_F(Bridge, AnAnswerForAHostThatHasLeftIsNotForTheNext) {
   EXPECT_THAT(read(next), IsEmpty());
 }
 
-TEST_F(Bridge, AnAnswerThatSeveralHostsCouldHaveAskedForIsForNobody) {
-  const std::size_t first = join();
-  const std::size_t second = join();
+TEST_F(TwoHosts, AnAnswerThatSeveralHostsCouldHaveAskedForIsForNobody) {
   for (const std::size_t host : {first, second}) {
     ask(host, msg::GetAnglesRequest{});
     ports.ended(line.sent.back().tag, ErrorCode::timeout);
@@ -440,9 +398,7 @@ TEST_F(Bridge, AnAnswerThatSeveralHostsCouldHaveAskedForIsForNobody) {
   EXPECT_THAT(read(second), IsEmpty());
 }
 
-TEST_F(Bridge, TheBoardGetsTheShortestInterval) {
-  const std::size_t first = join();
-  const std::size_t second = join();
+TEST_F(TwoHosts, TheBoardGetsTheShortestInterval) {
   ask(first, stream(100));
   ask(second, stream(20));
   ask(first, stream(50));
@@ -467,9 +423,7 @@ TEST_F(Bridge, ARequestWithSurplusIsARequestForAStream) {
   EXPECT_THAT(intervals(), ElementsAre(100, 20, 20, 100));
 }
 
-TEST_F(Bridge, AHostThatLeavesEndsItsShare) {
-  const std::size_t first = join();
-  const std::size_t second = join();
+TEST_F(TwoHosts, AHostThatLeavesEndsItsShare) {
   ask(first, stream(100));
   ask(second, stream(20));
   ports.disconnect(second);
@@ -507,9 +461,8 @@ TEST_F(Bridge, AStreamHasOneConfigurationAtATime) {
   ask(first, custom_stream(20, Flag::imu_angles));
   ask(second, custom_stream(20, Flag::target_angles));
   EXPECT_THAT(line.sent, SizeIs(1));
-  msg::ErrorExt error;
-  error.cmd_id = msg::DataStreamInterval::command;
-  error.error_code = msg::BoardErrorCode::temporary;
+  const msg::ErrorExt error =
+      error_of(msg::DataStreamInterval::command, msg::BoardErrorCode::temporary);
   EXPECT_EQ(read(second), frame_of(error));
   ASSERT_THAT(logged, SizeIs(1));
   EXPECT_THAT(logged[0], testing::HasSubstr("another configuration"));
@@ -540,8 +493,7 @@ TEST_F(Bridge, AStreamHasOneConfigurationAtATime) {
   EXPECT_EQ(read(second), sample);
 }
 
-TEST_F(Bridge, AHostThatIsNotReadIsNotSilent) {
-  const std::size_t host = join();
+TEST_F(OneHost, AHostThatIsNotReadIsNotSilent) {
   while (ports.room(host) != 0) ask(host, msg::Control{});
   const std::size_t requests = line.sent.size();
   const Bytes frame = frame_of(msg::Control{});
@@ -557,12 +509,10 @@ TEST_F(Bridge, AHostThatIsNotReadIsNotSilent) {
   EXPECT_THAT(line.sent, SizeIs(requests + 1));
 }
 
-TEST_F(Bridge, AStreamWhoseChangeIsRefusedGoesOn) {
-  const std::size_t host = join();
+TEST_F(OneHost, AStreamWhoseChangeIsRefusedGoesOn) {
   ask(host, stream(20));
   answer(line.sent.at(0), confirmation_of_stream());
-  msg::ErrorExt error;
-  error.cmd_id = msg::DataStreamInterval::command;
+  const msg::ErrorExt error = error_of(msg::DataStreamInterval::command);
   for (const std::uint16_t interval : {std::uint16_t{10}, std::uint16_t{0}}) {
     ask(host, stream(interval));
     answer(line.sent.back(), error);
@@ -572,15 +522,13 @@ TEST_F(Bridge, AStreamWhoseChangeIsRefusedGoesOn) {
   }
 }
 
-TEST_F(Bridge, AStreamThatEndsDoesNotComeBackWhenItsNextStartIsRefused) {
-  const std::size_t host = join();
+TEST_F(OneHost, AStreamThatEndsDoesNotComeBackWhenItsNextStartIsRefused) {
   ask(host, stream(20));
   answer(line.sent[0], confirmation_of_stream());
   ask(host, stream(0));
   ask(host, stream(40));
   answer(line.sent[1], confirmation_of_stream());
-  msg::ErrorExt error;
-  error.cmd_id = msg::DataStreamInterval::command;
+  const msg::ErrorExt error = error_of(msg::DataStreamInterval::command);
   answer(line.sent[2], error);
   for (int i = 0; i < 10; ++i) {
     time = time + seconds(1);
@@ -589,13 +537,11 @@ TEST_F(Bridge, AStreamThatEndsDoesNotComeBackWhenItsNextStartIsRefused) {
   EXPECT_THAT(line.sent, SizeIs(3));
 }
 
-TEST_F(Bridge, AStreamForWhichTheLineHasNoRoomIsRefused) {
-  const std::size_t host = join();
+TEST_F(OneHost, AStreamForWhichTheLineHasNoRoomIsRefused) {
   ask(host, stream(20), Framing::v2);
   ports.ended(line.sent.at(0).tag, ErrorCode::overload);
-  msg::ErrorExt error;
-  error.cmd_id = msg::DataStreamInterval::command;
-  error.error_code = msg::BoardErrorCode::temporary;
+  const msg::ErrorExt error =
+      error_of(msg::DataStreamInterval::command, msg::BoardErrorCode::temporary);
   EXPECT_EQ(read(host), frame_of(error, Framing::v2));
   EXPECT_THAT(logged, ElementsAre(testing::HasSubstr("the line has no room for it")));
   time = time + seconds(10);
@@ -607,18 +553,15 @@ TEST_F(Bridge, AConfigurationThatTheBoardRefusesIsNotRunning) {
   using Flag = msg::RealtimeDataCustomFlag;
   const std::size_t host = join();
   ask(host, custom_stream(20, Flag::imu_angles));
-  msg::ErrorExt error;
-  error.cmd_id = msg::DataStreamInterval::command;
-  error.error_code = msg::BoardErrorCode::wrong_params;
+  const msg::ErrorExt error =
+      error_of(msg::DataStreamInterval::command, msg::BoardErrorCode::wrong_params);
   answer(line.sent[0], error);
   EXPECT_EQ(read(host), frame_of(error));
   ask(host, custom_stream(20, Flag::target_angles));
   EXPECT_THAT(line.sent, SizeIs(2));
 }
 
-TEST_F(Bridge, StreamsAreStartedAgain) {
-  const std::size_t first = join();
-  const std::size_t second = join();
+TEST_F(TwoHosts, StreamsAreStartedAgain) {
   ask(first, stream(100));
   ask(second, stream(20));
   ask(second, stream(30, msg::RealtimeData4::command));
@@ -657,13 +600,11 @@ TEST_F(Bridge, WhatIsNoSampleIsNotForThoseWhoStream) {
   EXPECT_THAT(read(asking), IsEmpty());
 }
 
-TEST_F(Bridge, ARequestForWhichTheStreamLeavesNoTimeIsRefused) {
-  const std::size_t host = join();
+TEST_F(OneHost, ARequestForWhichTheStreamLeavesNoTimeIsRefused) {
   ask(host, msg::RealtimeDataCustomRequest{});
   ports.ended(line.sent.at(0).tag, ErrorCode::overload);
-  msg::ErrorExt error;
-  error.cmd_id = msg::RealtimeDataCustomRequest::command;
-  error.error_code = msg::BoardErrorCode::temporary;
+  const msg::ErrorExt error =
+      error_of(msg::RealtimeDataCustomRequest::command, msg::BoardErrorCode::temporary);
   EXPECT_EQ(read(host), frame_of(error));
   EXPECT_THAT(logged, ElementsAre(testing::HasSubstr("leaves no time")));
 }
@@ -688,8 +629,7 @@ TEST_F(Bridge, AHostThatDoesNotReadDisturbsNoOther) {
   EXPECT_EQ(ports.output(deaf).size(), before + frame_of(msg::GetAngles{}).size());
 }
 
-TEST_F(Bridge, AHostThatAsksAndDoesNotReadIsNotReadAnyMore) {
-  const std::size_t host = join();
+TEST_F(OneHost, AHostThatAsksAndDoesNotReadIsNotReadAnyMore) {
   int asked = 0;
   while (ports.room(host) != 0) {
     ask(host, msg::GetAnglesRequest{});
@@ -701,8 +641,7 @@ TEST_F(Bridge, AHostThatAsksAndDoesNotReadIsNotReadAnyMore) {
   EXPECT_NE(ports.room(host), 0U);
 }
 
-TEST_F(Bridge, AHostWhoseOutputIsFullIsNotReadAnyMore) {
-  const std::size_t host = join();
+TEST_F(OneHost, AHostWhoseOutputIsFullIsNotReadAnyMore) {
   ask(host, msg::BootMode3{});
   ports.raw_arrived(Bytes(BridgePorts::max_output));
   ports.line_lost();
@@ -712,8 +651,7 @@ TEST_F(Bridge, AHostWhoseOutputIsFullIsNotReadAnyMore) {
   EXPECT_NE(ports.room(host), 0U);
 }
 
-TEST_F(Bridge, AHostThatAsksTooFastIsReadLater) {
-  const std::size_t host = join();
+TEST_F(OneHost, AHostThatAsksTooFastIsReadLater) {
   const Bytes frame = frame_of(msg::GetAnglesRequest{});
   Bytes all;
   while (all.size() < 10000) all.insert(all.end(), frame.begin(), frame.end());
@@ -730,8 +668,7 @@ TEST_F(Bridge, AHostThatAsksTooFastIsReadLater) {
   EXPECT_GT(wakes[0], before);
 }
 
-TEST_F(Bridge, TheAnswerForAHostThatHasLeftIsForNobody) {
-  const std::size_t host = join();
+TEST_F(OneHost, TheAnswerForAHostThatHasLeftIsForNobody) {
   ask(host, msg::GetAnglesRequest{});
   ports.disconnect(host);
   const std::size_t next = join();
@@ -741,47 +678,44 @@ TEST_F(Bridge, TheAnswerForAHostThatHasLeftIsForNobody) {
   EXPECT_TRUE(ports.is_quiet(next));
 }
 
-TEST_F(Bridge, AHostThatRestartsTheBoardHasTheLineForItself) {
-  const std::size_t other = join();
-  const std::size_t host = join();
-  ask(other, msg::GetAnglesRequest{});
-  ask(host, msg::BootMode3{});
+TEST_F(TwoHosts, AHostThatRestartsTheBoardHasTheLineForItself) {
+  ask(first, msg::GetAnglesRequest{});
+  ask(second, msg::BootMode3{});
   EXPECT_FALSE(line.is_taken) << "another request has not ended";
-  EXPECT_EQ(ports.room(host), 0U);
-  EXPECT_EQ(ports.room(other), 0U);
-  const int before = wakes[host];
+  EXPECT_EQ(ports.room(second), 0U);
+  EXPECT_EQ(ports.room(first), 0U);
+  const int before = wakes[second];
   answer(line.sent.at(0), msg::GetAngles{});
-  EXPECT_EQ(wakes[host], before + 1) << "it may send now";
-  EXPECT_EQ(read(other), frame_of(msg::GetAngles{}));
+  EXPECT_EQ(wakes[second], before + 1) << "it may send now";
+  EXPECT_EQ(read(first), frame_of(msg::GetAngles{}));
   EXPECT_TRUE(line.is_taken);
-  EXPECT_EQ(ports.exclusive_host(), host);
+  EXPECT_EQ(ports.exclusive_host(), second);
   EXPECT_EQ(line.raw, frame_of(msg::BootMode3{}));
-  EXPECT_EQ(ports.room(other), 0U);
+  EXPECT_EQ(ports.room(first), 0U);
   line.raw.clear();
   const Bytes sync{0x7F, 0x00, '>', 0xFF};
-  ports.receive(host, sync);
+  ports.receive(second, sync);
   EXPECT_EQ(line.raw, sync);
   const Bytes acknowledgement{0x79, 0x1F};
   ports.raw_arrived(acknowledgement);
-  EXPECT_EQ(wakes[host], before + 2) << "it has bytes to read";
-  EXPECT_EQ(read(host), acknowledgement);
-  EXPECT_THAT(read(other), IsEmpty());
+  EXPECT_EQ(wakes[second], before + 2) << "it has bytes to read";
+  EXPECT_EQ(read(second), acknowledgement);
+  EXPECT_THAT(read(first), IsEmpty());
   // New firmware introduces itself, some seconds later.
   const Bytes introduction = frame_of(msg::BoardInfo{});
   ports.raw_arrived(introduction);
   ports.tick();
   EXPECT_TRUE(line.is_taken) << "that was the board before the restart";
-  read(host);
+  read(second);
   time = time + seconds(20);
   ports.raw_arrived(introduction);
-  EXPECT_EQ(read(host), introduction);
+  EXPECT_EQ(read(second), introduction);
   ports.tick();
   EXPECT_FALSE(line.is_taken);
-  EXPECT_NE(ports.room(other), 0U);
+  EXPECT_NE(ports.room(first), 0U);
 }
 
-TEST_F(Bridge, WhatArrivesTogetherWithARestartIsNotLost) {
-  const std::size_t host = join();
+TEST_F(OneHost, WhatArrivesTogetherWithARestartIsNotLost) {
   Bytes bytes = frame_of(msg::BootMode3{});
   const Bytes more = frame_of(msg::BoardInfoRequest{});
   bytes.insert(bytes.end(), more.begin(), more.end());
@@ -817,8 +751,7 @@ TEST_F(Bridge, AfterAPlainRestartALineThatWorksIsNotOpenedAgain) {
   }
 }
 
-TEST_F(Bridge, NothingIsSentIntoRawBytesAfterARestart) {
-  const std::size_t host = join();
+TEST_F(OneHost, NothingIsSentIntoRawBytesAfterARestart) {
   join();
   ask(host, msg::ResetRequest{});
   ports.receive(host, Bytes{0x7F});
@@ -832,8 +765,7 @@ TEST_F(Bridge, NothingIsSentIntoRawBytesAfterARestart) {
   EXPECT_TRUE(line.is_taken);
 }
 
-TEST_F(Bridge, ABootloaderMayTakeItsTime) {
-  const std::size_t host = join();
+TEST_F(OneHost, ABootloaderMayTakeItsTime) {
   ask(host, msg::BootMode3{});
   ports.receive(host, Bytes{0x7F});
   time = time + seconds(50);
@@ -844,17 +776,14 @@ TEST_F(Bridge, ABootloaderMayTakeItsTime) {
   EXPECT_FALSE(line.is_taken);
 }
 
-TEST_F(Bridge, TheLastSamplesOfAStreamAreForNobody) {
-  const std::size_t host = join();
-  const std::size_t other = join();
-  ask(host, stream(20));
-  ports.disconnect(host);
+TEST_F(TwoHosts, TheLastSamplesOfAStreamAreForNobody) {
+  ask(first, stream(20));
+  ports.disconnect(first);
   send(msg::RealtimeData3{});
-  EXPECT_THAT(read(other), IsEmpty());
+  EXPECT_THAT(read(second), IsEmpty());
 }
 
-TEST_F(Bridge, ASilentStreamIsStartedAgain) {
-  const std::size_t host = join();
+TEST_F(OneHost, ASilentStreamIsStartedAgain) {
   ask(host, stream(20));
   time = time + seconds(2);
   send(msg::RealtimeData3{});
@@ -867,8 +796,7 @@ TEST_F(Bridge, ASilentStreamIsStartedAgain) {
   EXPECT_THAT(intervals(), ElementsAre(20, 20));
 }
 
-TEST_F(Bridge, ABoardThatIsSilentAfterARestartOfItsStreamIsChecked) {
-  const std::size_t host = join();
+TEST_F(OneHost, ABoardThatIsSilentAfterARestartOfItsStreamIsChecked) {
   ask(host, stream(20));
   for (int i = 0; i < 2; ++i) {
     EXPECT_EQ(line.checks, 0);
@@ -878,8 +806,7 @@ TEST_F(Bridge, ABoardThatIsSilentAfterARestartOfItsStreamIsChecked) {
   EXPECT_EQ(line.checks, 1);
 }
 
-TEST_F(Bridge, ABoardThatConfirmsASilentStreamIsNotChecked) {
-  const std::size_t host = join();
+TEST_F(OneHost, ABoardThatConfirmsASilentStreamIsNotChecked) {
   ask(host, stream(20));
   for (int i = 0; i < 5; ++i) {
     time = time + seconds(4);
@@ -890,8 +817,7 @@ TEST_F(Bridge, ABoardThatConfirmsASilentStreamIsNotChecked) {
   EXPECT_EQ(line.checks, 0);
 }
 
-TEST_F(Bridge, ABoardThatAnswersNoRequestIsChecked) {
-  const std::size_t host = join();
+TEST_F(OneHost, ABoardThatAnswersNoRequestIsChecked) {
   const auto ask_in_vain = [&] {
     ask(host, msg::GetAnglesRequest{});
     ports.ended(line.sent.back().tag, ErrorCode::timeout);
@@ -907,8 +833,7 @@ TEST_F(Bridge, ABoardThatAnswersNoRequestIsChecked) {
   EXPECT_EQ(line.checks, 1);
 }
 
-TEST_F(Bridge, AHostWithTheLineForItselfSendsNoFasterThanTheLine) {
-  const std::size_t host = join();
+TEST_F(OneHost, AHostWithTheLineForItselfSendsNoFasterThanTheLine) {
   ask(host, msg::BootMode3{});
   std::size_t sent = 0;
   for (; ports.room(host) != 0; sent += ports.room(host)) {
@@ -923,8 +848,7 @@ TEST_F(Bridge, AHostWithTheLineForItselfSendsNoFasterThanTheLine) {
   EXPECT_GT(wakes[0], before);
 }
 
-TEST_F(Bridge, AHostWithTheLineForItselfLosesNoBytes) {
-  const std::size_t host = join();
+TEST_F(OneHost, AHostWithTheLineForItselfLosesNoBytes) {
   ask(host, msg::BootMode3{});
   Bytes all;
   for (int i = 0; i < 300; ++i) {
@@ -935,30 +859,27 @@ TEST_F(Bridge, AHostWithTheLineForItselfLosesNoBytes) {
   EXPECT_EQ(read(host), all);
 }
 
-TEST_F(Bridge, AHostWithTheLineForItselfThatDoesNotReadMustLeave) {
-  const std::size_t host = join();
-  const std::size_t other = join();
-  ask(host, msg::BootMode3{});
+TEST_F(TwoHosts, AHostWithTheLineForItselfThatDoesNotReadMustLeave) {
+  ask(first, msg::BootMode3{});
   std::size_t arrived = 0;
-  for (; !ports.must_leave(host); arrived += 1000) {
+  for (; !ports.must_leave(first); arrived += 1000) {
     ASSERT_LE(arrived, 10'000'000U);
     ports.raw_arrived(Bytes(1000, 0x55));
   }
   EXPECT_FALSE(line.is_taken);
   EXPECT_THAT(logged, Contains("host 0 must leave: it does not read what the board sends"));
-  EXPECT_NE(ports.room(other), 0U);
-  EXPECT_EQ(ports.room(host), 0U);
+  EXPECT_NE(ports.room(second), 0U);
+  EXPECT_EQ(ports.room(first), 0U);
   // It gets what came before the loss, and nothing after it.
   ports.raw_arrived(Bytes(1));
   send(msg::Reset{});
-  EXPECT_EQ(read(host), Bytes(arrived - 1000, 0x55));
-  ask(host, msg::GetAnglesRequest{});
+  EXPECT_EQ(read(first), Bytes(arrived - 1000, 0x55));
+  ask(first, msg::GetAnglesRequest{});
   EXPECT_THAT(line.sent, IsEmpty());
-  EXPECT_TRUE(ports.is_quiet(host)) << "its connection ends now";
+  EXPECT_TRUE(ports.is_quiet(first)) << "its connection ends now";
 }
 
-TEST_F(Bridge, NoByteIsSentTwiceOfAHostWithTheLineForItself) {
-  const std::size_t host = join();
+TEST_F(OneHost, NoByteIsSentTwiceOfAHostWithTheLineForItself) {
   ask(host, msg::BootMode3{});
   line.raw.clear();
   // A false start of a frame, and a frame in its body.
@@ -976,25 +897,21 @@ TEST_F(Bridge, NoByteIsSentTwiceOfAHostWithTheLineForItself) {
   EXPECT_THAT(line.sent, IsEmpty()) << "raw bytes are no requests";
 }
 
-TEST_F(Bridge, AHostThatLeavesGivesTheLineBack) {
-  const std::size_t host = join();
-  const std::size_t other = join();
-  ask(host, msg::BootMode3{});
+TEST_F(TwoHosts, AHostThatLeavesGivesTheLineBack) {
+  ask(first, msg::BootMode3{});
   EXPECT_TRUE(line.is_taken);
-  ports.disconnect(host);
+  ports.disconnect(first);
   EXPECT_FALSE(line.is_taken);
-  EXPECT_NE(ports.room(other), 0U);
+  EXPECT_NE(ports.room(second), 0U);
 }
 
-TEST_F(Bridge, ALostLineIsNobodysAnyMore) {
-  const std::size_t host = join();
-  const std::size_t other = join();
-  ask(host, msg::BootMode3{});
+TEST_F(TwoHosts, ALostLineIsNobodysAnyMore) {
+  ask(first, msg::BootMode3{});
   const std::vector<int> before = wakes;
   ports.line_lost();
-  EXPECT_THAT(wakes, ElementsAre(before[host] + 1, before[other] + 1));
+  EXPECT_THAT(wakes, ElementsAre(before[first] + 1, before[second] + 1));
   EXPECT_FALSE(ports.exclusive_host());
-  EXPECT_NE(ports.room(other), 0U);
+  EXPECT_NE(ports.room(second), 0U);
 }
 
 msg::BoardInfoRequestExt opening() {
@@ -1003,8 +920,7 @@ msg::BoardInfoRequestExt opening() {
   return request;
 }
 
-TEST_F(Bridge, APasswordIsRefusedAndNotLogged) {
-  const std::size_t host = join();
+TEST_F(OneHost, APasswordIsRefusedAndNotLogged) {
   ask(host, opening());
   msg::PassProtectWrite protect;
   EXPECT_TRUE(protect.new_password.assign(std::string_view("sesame")));
@@ -1030,8 +946,7 @@ TEST_F(Bridge, APasswordIsRefusedAndNotLogged) {
   EXPECT_THAT(line.sent, SizeIs(2)) << "neither has a password";
 }
 
-TEST_F(Bridge, APasswordDoesNotPassWithTheLineForItselfEither) {
-  const std::size_t host = join();
+TEST_F(OneHost, APasswordDoesNotPassWithTheLineForItselfEither) {
   ask(host, msg::BootMode3{});
   const Bytes before = line.raw;
   const Bytes frame = frame_of(opening());
@@ -1105,10 +1020,7 @@ class FullBridge : public Bridge {
   }
   template <class M>
   static Bytes refusal_of(const M&) {
-    msg::ErrorExt error;
-    error.cmd_id = M::command;
-    error.error_code = msg::BoardErrorCode::temporary;
-    return frame_of(error);
+    return frame_of(error_of(M::command, msg::BoardErrorCode::temporary));
   }
 };
 
@@ -1168,8 +1080,7 @@ TEST_F(FullBridge, OthersLearnThatThereIsNoPlace) {
   EXPECT_EQ(join(), 0U) << "whoever finds a place has a port";
 }
 
-TEST_F(Bridge, NoiseIsNoRequest) {
-  const std::size_t host = join();
+TEST_F(OneHost, NoiseIsNoRequest) {
   Bytes bytes{0x7F, 0x00, '>', 1, 2, 3, 4};
   const Bytes frame = frame_of(msg::GetAnglesRequest{});
   bytes.insert(bytes.end(), frame.begin(), frame.end());
@@ -1177,8 +1088,7 @@ TEST_F(Bridge, NoiseIsNoRequest) {
   EXPECT_THAT(line.sent, SizeIs(1));
 }
 
-TEST_F(Bridge, ARequestAfterABrokenOneIsFoundWhenTheHostIsSilent) {
-  const std::size_t host = join();
+TEST_F(OneHost, ARequestAfterABrokenOneIsFoundWhenTheHostIsSilent) {
   Bytes bytes = frame_of(msg::SetAdjVarsVal{});
   bytes.resize(4);  // its body is missing
   bytes[2] = 200;

@@ -6,7 +6,6 @@ import os
 import resource
 import signal
 import socket
-import struct
 import subprocess
 import threading
 import time
@@ -19,7 +18,6 @@ from bridge import (
     BOARD_INFO,
     DATA_STREAM_INTERVAL,
     GET_ANGLES,
-    REALTIME_DATA_3,
     RESET,
     TOKEN,
     Bridge,
@@ -65,31 +63,6 @@ def test_two_hosts_that_ask_at_once(bridge: Bridge) -> None:
         with pytest.raises(TimeoutError):
             host.socket.recv(1)
         host.close()
-
-
-def test_streams_go_to_those_who_asked_at_their_rates(bridge: Bridge) -> None:
-    fast, slow, other = (Host(bridge.address) for _ in range(3))
-    slow.send(DATA_STREAM_INTERVAL, stream_request(100))
-    fast.send(DATA_STREAM_INTERVAL, stream_request(20))
-    fast.receive_samples(40)
-    slow.send(BOARD_INFO)
-    slow_samples = 0
-    while (received := slow.receive()[0]) != BOARD_INFO:
-        slow_samples += received == REALTIME_DATA_3
-    assert 5 <= slow_samples <= 12
-    assert other.ask(BOARD_INFO)
-    # The one who leaves ends its share, the other one keeps its stream.
-    fast.close()
-    slow.receive_samples(3)
-    slow.close()
-    other.close()
-
-
-def test_the_command_works_over_the_bridge(bridge: Bridge) -> None:
-    assert run("info", "-p", bridge.address).status == 0
-    result = run("stream", "RealtimeData4", "-p", bridge.address, "--for", "200ms", "--rate", "50")
-    assert result.status == 0
-    assert len(result.text.splitlines()) > 5
 
 
 def test_a_host_that_does_not_read_blocks_no_other(bridge: Bridge) -> None:
@@ -148,37 +121,12 @@ def test_the_status_on_a_terminal(tmp_path: Path) -> None:
         host.close()
 
 
-def test_it_stops_after_a_time() -> None:
-    with emulated_gimbal() as gimbal:
-        assert run("bridge", gimbal.address, "--tcp", "0", "--for", "200ms").status == 0
-
-
 def test_it_shows_who_comes_and_goes() -> None:
     with shared_gimbal() as bridge:
         host = Host(bridge.address)
         bridge.wait_for("is host 0")
         host.close()
         bridge.wait_for("has left")
-
-
-@pytest.mark.parametrize(
-    ("arguments", "status", "words"),
-    [
-        (["tcp:127.0.0.1:9", "--tcp", "0"], 1, "refused"),
-        (["tcp:127.0.0.1:9"], 2, "--tcp"),
-        (["tcp:127.0.0.1:9", "--tcp", "port"], 2, "port"),
-        (["tcp:127.0.0.1:9", "--tcp", "0", "-p", "tcp:127.0.0.1:10"], 2, "given twice"),
-        (["tcp:127.0.0.1:9", "--tcp", "0", "--origin", "http://localhost"], 2, "is for --ws"),
-        (["tcp:127.0.0.1:9", "--tcp", "0", "--token", "0123456789"], 2, "is for --ws"),
-        (["tcp:127.0.0.1:9", "--ws", "0", "--token", "short"], 2, "at least 8 letters"),
-        (["tcp:127.0.0.1:9", "--ws", "0", "--origin", "http://localhost/"], 2, "not the origin"),
-        (["tcp:127.0.0.1:9", "--ws", "0", "--origin", "localhost"], 2, "not the origin"),
-    ],
-)
-def test_mistakes_are_explained(arguments: list[str], status: int, words: str) -> None:
-    result = run("bridge", *arguments)
-    assert result.status == status
-    assert words in result.error
 
 
 def test_a_web_page_is_no_program() -> None:
@@ -377,14 +325,6 @@ def test_a_web_socket_without_a_place_that_sends_a_text() -> None:
         assert hosts[0].ask(BOARD_INFO)
         for one in [*hosts, *senders]:
             one.close()
-
-
-def test_it_shows_which_web_sockets_come_and_go() -> None:
-    with shared_gimbal("--ws", "0", "--token", TOKEN) as bridge:
-        page = WebSocket(bridge.address, f"?token={TOKEN}")
-        bridge.wait_for("is host 0")
-        page.close()
-        bridge.wait_for("has left")
 
 
 def test_refusals_are_reported_a_few_at_a_time() -> None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import pty
 import signal
 import subprocess
 import time
@@ -13,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from board_command import Terminal
 from emulated_gimbal import emulated_gimbal
 from gimbal_observer import Observer, observer_of
 from sbgc_command import CRASH, PROGRAM, run
@@ -143,26 +143,22 @@ def test_a_signal_stops_the_motion_first(command: str, how: signal.Signals) -> N
 
 def test_the_terminal_disappears() -> None:
     with emulated_gimbal() as gimbal, observer_of(gimbal) as observer:
-        process, master = pty.fork()
-        if process == 0:  # its terminal is the pseudo-terminal
-            os.execv(PROGRAM, [PROGRAM, *TURN, "-p", gimbal.address])
+        terminal = Terminal(*TURN, "-p", gimbal.address)
         observer.await_motion()
-        os.close(master)
+        os.close(terminal.screen)
         assert observer.stands_still_within(SOON)
-        _, status = os.waitpid(process, 0)
+        _, status = os.waitpid(terminal.process, 0)
         assert os.waitstatus_to_exitcode(status) == 130
 
 
 def test_the_terminal_disappears_with_all_its_processes() -> None:
     with emulated_gimbal() as gimbal, observer_of(gimbal) as observer:
-        process, master = pty.fork()
-        if process == 0:
-            os.execv(PROGRAM, [PROGRAM, *TURN, "-p", gimbal.address])
+        terminal = Terminal(*TURN, "-p", gimbal.address)
         observer.await_motion()
-        os.killpg(process, signal.SIGKILL)
-        os.close(master)
+        os.killpg(terminal.process, signal.SIGKILL)
+        os.close(terminal.screen)
         assert observer.stands_still_within(SOON)
-        os.waitpid(process, 0)
+        os.waitpid(terminal.process, 0)
 
 
 def test_the_guard_is_killed() -> None:

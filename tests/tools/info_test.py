@@ -14,8 +14,8 @@ from pathlib import Path
 
 import pytest
 
-from emulated_gimbal import EmulatedGimbal, emulated_gimbal
-from sbgc_command import MODEL, PROGRAM, Result, decode, frame, run
+from emulated_gimbal import emulated_gimbal
+from sbgc_command import MODEL, PROGRAM, decode, frame, run
 
 PortsFile = Callable[..., None]
 
@@ -235,56 +235,3 @@ def test_a_capture_that_can_no_longer_be_written_is_an_error(tmp_path: Path) -> 
     assert done.returncode == 1
     assert b"serial number" in done.stdout, "the rest is done"
     assert f"The capture {capture} cannot be written: File too large" in done.stderr.decode()
-
-
-def test_a_slow_line_needs_longer_attempts() -> None:
-    """Every answer takes 700 ms, longer than the protocol's time for an attempt."""
-    with emulated_gimbal("--delay", "1:700") as gimbal:
-        options = ["send", "CMD_GET_ANGLES", "--attempts", "1", "-p", gimbal.address]
-        assert run(*options).status == 1
-        assert run(*options, "--attempt-time", "3").status == 0
-
-
-def test_options_of_a_gimbal_have_to_be_of_use() -> None:
-    result = run("-p", "/dev/ttyUSB0", "decode", stdin=b"")
-    assert result.status == 2
-    assert "--port is not for `sbgc decode`, which does not talk to a gimbal" in result.error
-
-
-@pytest.mark.parametrize(
-    "address, status, reason",
-    [
-        ("tcp:127.0.0.1:1", 1, "refused the connection"),
-        ("ttyUSB0", 2, "a port is written with its path, such as /dev/ttyUSB0"),
-        ("/dev/null", 1, "is not a serial port"),
-        ("tpc:a:1", 2, "unknown kind 'tpc'"),
-        ("127.0.0.1:5055", 2, "write tcp:127.0.0.1:5055 or udp:127.0.0.1:5055"),
-        ("COM3", 2, "it is a port of Windows, where sbgc only describes, decodes and encodes"),
-    ],
-)
-def test_addresses_without_a_gimbal(address: str, status: int, reason: str) -> None:
-    result = run("info", "-p", address)
-    assert result.status == status and reason in result.error, result
-
-
-def test_a_malformed_address_is_wrong_usage(tmp_path: Path) -> None:
-    capture = str(tmp_path / "capture")
-    for command in (
-        *("info", "bridge --tcp 0", "stream RealtimeData4", "reset --yes", "motors on"),
-        *("move --yaw 1", f"record {capture}"),
-    ):
-        assert_complains_about_address(run(*command.split(), "-p", "COM3"))
-    for command in ("bridge COM3 --tcp 0", f"record COM3 {capture}"):
-        assert_complains_about_address(run(*command.split()))
-
-
-def assert_complains_about_address(result: Result) -> None:
-    assert result.status == 2, result
-    assert result.error.startswith("sbgc: the address 'COM3' is malformed: "), result
-
-
-def test_a_silent_board() -> None:
-    gimbal = EmulatedGimbal("--silence", "0:1000")
-    result = run("info", "--timeout", "0.5", "-p", gimbal.address)
-    gimbal.kill()
-    assert result.status == 1 and "no board found on" in result.error

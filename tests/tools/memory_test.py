@@ -6,15 +6,14 @@ import json
 import os
 import re
 import signal
-import subprocess
 import zlib
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from board_command import answer_on_terminal
+from board_command import Watched, answer_on_terminal
 from emulated_gimbal import EmulatedGimbal, emulated_gimbal
-from sbgc_command import PROGRAM, Result, run
+from sbgc_command import Result, run
 
 SIZE = 32768
 """The size of the EEPROM of the emulated board."""
@@ -98,114 +97,23 @@ def test_progress_on_a_terminal(gimbal: EmulatedGimbal, tmp_path: Path) -> None:
     assert int(bars[-1][2]) == 640
 
 
-def test_a_part_of_the_eeprom(gimbal: EmulatedGimbal, tmp_path: Path) -> None:
-    part = tmp_path / "part"
-    result = sbgc(gimbal, "eeprom", "read", part, "--raw", "--address", "100", "--size", "7")
-    assert result.status == 0 and part.stat().st_size == 7
-    late = sbgc(gimbal, "eeprom", "read", tmp_path / "no", "--address", str(SIZE))
-    assert late.status == 1 and "ends before address" in late.error
-    long = sbgc(gimbal, "eeprom", "read", tmp_path / "no", "--size", str(SIZE + 1))
-    assert long.status == 1 and "exceed the EEPROM" in long.error
-    assert not (tmp_path / "no").exists()
-
-
-def test_nothing_is_overwritten_without_force(gimbal: EmulatedGimbal, tmp_path: Path) -> None:
-    kept = tmp_path / "kept"
-    kept.write_text("my thesis")
-    sbgc(gimbal, "files", "put", "3", kept, "--yes")
-    for command in (("eeprom", "read"), ("files", "get", "3")):
-        result = sbgc(gimbal, *command, kept)
-        assert result.status == 1 and "--force replaces it" in result.error
-        assert kept.read_text() == "my thesis"
-    assert sbgc(gimbal, "eeprom", "read", kept, "--size", "5", "--force", "--raw").status == 0
-    assert kept.stat().st_size == 5
-
-
-def test_files_come_and_go(gimbal: EmulatedGimbal, tmp_path: Path) -> None:
-    sent, got = tmp_path / "sent", tmp_path / "got"
-    sent.write_bytes(os.urandom(1000))
-    put = sbgc(gimbal, "files", "put", "7", sent, "--yes")
-    assert put.status == 0 and "1000 bytes written and read back" in put.error
-    assert "    7  1000 bytes\n" in sbgc(gimbal, "files", "list", "--last", "9").text
-    assert sbgc(gimbal, "files", "list", "--first", "8", "--last", "9").text == ""
-    get = sbgc(gimbal, "files", "get", "7", got)
-    assert get.status == 0 and f"1000 bytes written to {got}\n" in get.error
-    assert got.read_bytes() == sent.read_bytes()
-    assert sbgc(gimbal, "files", "delete", "7", "--yes").status == 0
-    missing = sbgc(gimbal, "files", "get", "7", tmp_path / "none")
-    assert missing.status == 1 and "No file has this id" in missing.error
-    assert not (tmp_path / "none").exists()
-
-
-def test_scripts(gimbal: EmulatedGimbal, tmp_path: Path) -> None:
-    script = tmp_path / "script"
-    script.write_text("wait 1\n" * 10)
-    assert sbgc(gimbal, "files", "put", "1", script, "--yes").status == 0
-    started = sbgc(gimbal, "script", "start", "2", "--yes")
-    assert started.status == 0 and "It can do whatever a command can do" in started.error
-    stopped = sbgc(gimbal, "script", "stop", "2")
-    assert stopped.status == 0 and "the script in slot 2 has stopped" in stopped.error
-    assert "what it set in motion goes on until `sbgc stop`" in stopped.error
-    assert len(sbgc(gimbal, "script", "list").text.splitlines()) == 5
-    assert sbgc(gimbal, "script", "start", "0", "--yes").status == 2
-
-
 def test_ctrl_c_during_a_transfer(tmp_path: Path) -> None:
     with emulated_gimbal("--baud", "9600", "--tcp", "0") as gimbal:
-        target = tmp_path / "part"
-        with subprocess.Popen(
-            [PROGRAM, "eeprom", "read", str(target), "-v", "-p", gimbal.address],
-            stderr=subprocess.PIPE,
-        ) as process:
-            assert process.stderr is not None
-            for line in process.stderr:  # the frames are printed
-                if b"CMD_EEPROM_READ" in line:
-                    break
-            process.send_signal(signal.SIGINT)
-            process.stderr.read()
-            assert process.wait(30) == 130
-        assert list(tmp_path.iterdir()) == [], "neither the file nor a part of it"
+        reading = Watched("eeprom", "read", str(tmp_path / "part"), "-p", gimbal.address)
+        reading.wait_for("CMD_EEPROM_READ")
+        reading.process.send_signal(signal.SIGINT)
+        assert reading.end().status == 130
+    assert list(tmp_path.iterdir()) == [], "neither the file nor a part of it"
 
 
 def test_the_board_vanishes_in_the_middle(tmp_path: Path) -> None:
     with emulated_gimbal("--baud", "9600", "--tcp", "0") as gimbal:
-        with subprocess.Popen(
-            [PROGRAM, "eeprom", "read", str(tmp_path / "part"), "-v", "-p", gimbal.address],
-            stderr=subprocess.PIPE,
-        ) as process:
-            assert process.stderr is not None
-            for line in process.stderr:
-                if b"CMD_EEPROM_READ" in line:
-                    break
-            gimbal.kill()
-            error = process.stderr.read().decode()
-            assert process.wait(30) == 1
-    assert "sbgc: " in error
+        reading = Watched("eeprom", "read", str(tmp_path / "part"), "-p", gimbal.address)
+        reading.wait_for("CMD_EEPROM_READ")
+        gimbal.kill()
+        ended = reading.end()
+    assert ended.status == 1 and "sbgc: " in ended.error
     assert list(tmp_path.iterdir()) == []
-
-
-@pytest.mark.parametrize(
-    "arguments",
-    [
-        ("eeprom", "write", "{data}", "--raw"),
-        ("files", "put", "1", "{data}"),
-        ("files", "delete", "1"),
-        ("files", "delete", "--all"),
-        ("script", "start", "1"),
-    ],
-)
-def test_nothing_is_written_unarmed(
-    gimbal: EmulatedGimbal, arguments: tuple[str, ...], tmp_path: Path
-) -> None:
-    (tmp_path / "data").write_text("x")
-    for file in ("0", "1"):  # the first is the script in slot 1
-        assert sbgc(gimbal, "files", "put", file, tmp_path / "data", "--yes").status == 0
-    files = sbgc(gimbal, "files", "list").text
-    (tmp_path / "data").write_text("changed")
-    words = [word.format(data=tmp_path / "data") for word in arguments]
-    result = sbgc(gimbal, *words)
-    assert result.status == 1 and "add --yes" in result.error
-    assert sbgc(gimbal, "files", "list").text == files
 
 
 def test_files_that_cannot_be_read(tmp_path: Path) -> None:

@@ -290,11 +290,6 @@ def test_without_utf8(tmp_path: Path) -> None:
         assert text.isascii() and "####" in text
 
 
-def test_without_a_terminal() -> None:
-    result = run("monitor", "-p", "tcp:127.0.0.1:1")
-    assert result.status == 1 and "monitor needs a terminal" in result.error
-
-
 def test_the_overview_shows_vibration(tmp_path: Path) -> None:
     with emulated_gimbal("--fault", "resonance=37Hz:10:pitch") as shaking:
         with terminal(tmp_path, 120, 30) as shell:

@@ -12,12 +12,12 @@ import subprocess
 import termios
 import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
-from board_command import Watched
+from board_command import Terminal, Watched
 from emulated_gimbal import EmulatedGimbal, emulated_gimbal
 from gimbal_observer import Observer, observer_of
 from optical_axis import degrees_down, degrees_right, right_side_down
@@ -49,84 +49,6 @@ def one_observer(gimbal: EmulatedGimbal) -> Iterator[Observer]:
         yield observer
 
 
-def test_a_move_ends_at_its_target(gimbal: EmulatedGimbal, observer: Observer) -> None:
-    result = run("move", "--pitch", "-20", "--wait", "--yes", "-p", gimbal.address)
-    assert (result.status, result.out) == (0, b"")
-    assert observer.angles()[1] == pytest.approx(-20, abs=0.7)
-    sentence = r"The camera turns to 20 deg up \(now [\d.]+( up| down)?: up by [\d.]+\), at up to 10 deg/s\."
-    assert re.search(sentence, " ".join(result.error.split())), result.error
-    assert re.search(r"The camera is at (19\.[5-9]|20\.[0-5]) deg up \(pitch -\d", result.error)
-
-
-@pytest.mark.parametrize(
-    "arguments",
-    [
-        "--tilt 30",
-        "--tilt -30",
-        "--tilt -30down",
-        "--tilt 30left",
-        "--tilt down",
-        "--pan 3right --yaw 3",
-    ],
-)
-def test_words_must_say_the_direction_once(arguments: str) -> None:
-    result = run("move", *arguments.split(), "--yes", "-p", "capture:none")
-    assert result.status == 2 and result.out == b""
-    said = "excludes" if "--yaw" in arguments else "--tilt must say which way: 30down or 30up"
-    assert said in result.error
-
-
-def test_a_direction_where_a_sign_is_expected() -> None:
-    result = run("move", "--pitch", "30down", "--yes", "-p", "capture:none")
-    assert result.status == 2 and "; --tilt takes 30down or 30up\n" in result.error
-    result = run("move", "--yes", "-p", "capture:none")
-    assert result.status == 2 and "--roll, --pitch, --tilt, --yaw or --pan" in result.error
-
-
-@pytest.mark.parametrize(
-    "arguments, sentence",
-    [
-        ("move --pitch 30", "to 30 deg down (now # up: down by #), at up to 10 deg/s."),
-        ("move --pitch -10", "to 10 deg up (now # up: down by #), at up to 10 deg/s."),
-        ("move --pitch 0", "to pitch 0 deg (now # up: down by #), at up to 10 deg/s."),
-        ("move --tilt 30down", "to 30 deg down (now # up: down by #), at up to 10 deg/s."),
-        ("move --tilt 30DOWN", "to 30 deg down (now # up: down by #), at up to 10 deg/s."),
-        ("move --tilt 30°_Down", "to 30 deg down (now # up: down by #), at up to 10 deg/s."),
-        ("move --pitch 30_degrees", "to 30 deg down (now # up: down by #), at up to 10 deg/s."),
-        ("move --tilt 0", "to pitch 0 deg (now # up: down by #), at up to 10 deg/s."),
-        (
-            "move --pan 45left --tilt 7.5up",
-            "to 7.5 deg up (now # up: down by #), 45 deg left (now #: left by #), at up to",
-        ),
-        ("speed --pan 3left --for 1s", "at 3 deg/s left (yaw -3), for 1 s."),
-        (
-            "move --pitch 5 --relative",
-            "to # deg up (now # up: down by 5), at up to 10 deg/s.",
-        ),
-        ("move --roll -5", "to roll -5 deg (now #: by #), at up to 10 deg/s."),
-        ("move --yaw 190", "at up to 10 deg/s. Watch the cables: yaw turns by # deg."),
-        (
-            "speed --pitch -2 --yaw 3 --for 1s",
-            "at 2 deg/s up (pitch -2), 3 deg/s right (yaw 3), for 1 s.",
-        ),
-        ("speed --yaw -20 --for 1m", "for 60 s. Watch the cables: yaw turns by 1200 deg."),
-        (
-            "menu home-position",
-            "The camera can move. It is now at # deg, # deg up (pitch #), # deg",
-        ),
-    ],
-)
-def test_the_sentence_before_a_motion_says_where_to(
-    gimbal: EmulatedGimbal, arguments: str, sentence: str
-) -> None:
-    """The camera looks up by 20 degrees; # is a measured number, and what is said of it."""
-    words = [word.replace("_", " ") for word in arguments.split()]
-    result = run(*words, "-p", gimbal.address)
-    assert result.status == 1
-    pattern = re.escape(sentence).replace(r"\#", r"[^:;]*?\d[^:;]*?")
-    assert re.search(pattern, " ".join(result.error.split())), result.error
-
-
 def test_the_camera_goes_where_the_question_said() -> None:
     """And a relative way past two turns wraps, as the angles of boards do."""
     with emulated_gimbal() as gimbal:
@@ -137,23 +59,6 @@ def test_the_camera_goes_where_the_question_said() -> None:
         asked = re.search(r"to ([\d.]+) deg left \(now ([\d.]+) right: right by 3\)", result.error)
         ended = re.search(r"The camera is at ([\d.]+) deg left", result.error)
         assert asked and ended and float(ended[1]) == pytest.approx(float(asked[1]), abs=0.6)
-
-
-@pytest.mark.parametrize("command", ["move", "speed"])
-def test_the_help_says_which_way_numbers_count(command: str) -> None:
-    text = " ".join(run(command, "--help").text.split())
-    assert re.search(r"of pitch, in [a-z ]+: positive is down", text)
-    assert re.search(r"of yaw, in [a-z ]+: positive is right", text)
-    assert re.search(r"of roll, in [a-z ]+: it is not known", text)
-
-
-def test_a_relative_move_without_waiting(gimbal: EmulatedGimbal, observer: Observer) -> None:
-    before = observer.angles()[2]
-    arguments = ("move", "--yaw", "5", "--relative", "--speed", "30", "--yes")
-    result = run(*arguments, "-p", gimbal.address)
-    assert result.status == 0 and "The camera turns to its target" in result.error
-    assert observer.stands_still_within(5)
-    assert observer.angles()[2] == pytest.approx(before + 5, abs=0.7)
 
 
 @pytest.mark.parametrize("firmware", ["2.43b9", "2.70b0"])
@@ -181,19 +86,6 @@ def test_a_camera_whose_line_is_lost_while_it_stops_may_still_turn() -> None:
         assert "The camera has stopped" not in ended.error
 
 
-def test_motors(gimbal: EmulatedGimbal) -> None:
-    off = run("motors", "off", "--yes", "-p", gimbal.address)
-    assert off.status == 0 and "the camera drops to its heavy side" in off.error
-    stuck = run("move", "--pitch", "5", "--yes", "-p", gimbal.address)
-    assert stuck.status == 1 and "the motors are off; `sbgc motors on`" in stuck.error
-    turning = run("speed", "--yaw", "5", "--for", "1s", "--yes", "-p", gimbal.address)
-    assert turning.status == 1 and "the motors are off" in turning.error
-    stopped = run("stop", "-p", gimbal.address)
-    assert stopped.status == 0 and "its motors are off" in stopped.error
-    on = run("motors", "on", "--yes", "-p", gimbal.address)
-    assert on.status == 0 and "the camera jumps to its target angle" in on.error
-
-
 def test_stop_needs_no_arming(gimbal: EmulatedGimbal, observer: Observer) -> None:
     arguments = ("move", "--yaw", "200", "--speed", "20", "--yes")
     assert run(*arguments, "-p", gimbal.address).status == 0
@@ -206,7 +98,7 @@ def test_stop_needs_no_arming(gimbal: EmulatedGimbal, observer: Observer) -> Non
 def test_stop_notices_that_something_else_turns_the_camera() -> None:
     with emulated_gimbal() as gimbal, emulated_speed(gimbal):
         result = run("stop", "-p", gimbal.address)
-        assert result.status == 1 and "yaw at 5.01 deg/s" in result.error
+        assert result.status == 1 and re.search(r"yaw at \d\.\d+ deg/s", result.error)
 
 
 def test_a_move_that_something_else_prevents_ends() -> None:
@@ -232,10 +124,12 @@ def emulated_speed(gimbal: EmulatedGimbal) -> Iterator[None]:
 
         thread = threading.Thread(target=turn)
         thread.start()
-        observer.await_motion()
-        yield
-        is_over.set()
-        thread.join()
+        try:
+            observer.await_motion()
+            yield
+        finally:
+            is_over.set()
+            thread.join()
 
 
 def test_a_signal_but_ctrl_c_interrupts_a_speed_without_a_time() -> None:
@@ -252,54 +146,6 @@ def test_ctrl_c_ends_jog_with_its_status() -> None:
         terminal.await_text(b"q: quit")
         terminal.press(b"\x03")
         assert terminal.status() == 130
-
-
-def test_menu(gimbal: EmulatedGimbal) -> None:
-    listed = run("menu", "--list").text
-    assert re.search(r"^home_position +Return the camera", listed, re.M)
-    for name in ("profile1", "PROFILE1", "MENU_CMD_PROFILE1", "menu_cmd_profile1"):
-        result = run("menu", name, "--yes", "-p", gimbal.address)
-        assert result.status == 0 and "Switch to profile 1." in result.error
-    wrong = run("menu", "profil2")
-    assert wrong.status == 2 and "did you mean 'profile2'?" in wrong.error
-    assert run("menu").status == 2
-
-
-@pytest.mark.parametrize(
-    "action, command, words",
-    [
-        ("calib_gyro", "calibrate gyro", "Before: "),
-        ("calib_acc_temp", "calibrate acc --temperature", "Before: "),
-        ("CALIB_MAG", "calibrate mag", "Before: "),
-        ("motor_on", "motors on", "jumps to its target angle"),
-        ("motor-off", "motors off", "drops to its heavy side"),
-        ("motor_toggle", "motors toggle", "drops to its heavy side"),
-        ("auto_pid", "tune", "the old values"),
-        ("reset", "reset", "The board restarts."),
-    ],
-)
-def test_menu_actions_go_the_checked_way(
-    gimbal: EmulatedGimbal, action: str, command: str, words: str
-) -> None:
-    result = run("menu", action, "-p", gimbal.address)
-    text = " ".join(result.error.split())
-    assert result.status == 1 and f"This is `sbgc {command}`." in text and words in text
-    assert "add --yes" in text
-
-
-def test_the_checks_of_a_menu_action_refuse(gimbal: EmulatedGimbal) -> None:
-    refused = run("menu", "calib_gyro", "--yes", "-v", "-p", gimbal.address)
-    assert refused.status == 1 and "the motors are on" in refused.error
-    assert "CMD_CALIB_GYRO" not in refused.error and "CMD_EXECUTE_MENU" not in refused.error
-    for state in ("off", "on"):
-        toggled = run("menu", "motor_toggle", "--yes", "-p", gimbal.address)
-        assert toggled.status == 0 and f"The motors are {state}." in toggled.error
-
-
-def test_reset_waits_for_the_board(gimbal: EmulatedGimbal) -> None:
-    result = run("reset", "--yes", "-p", gimbal.address)
-    assert result.status == 0 and "The board is back" in result.error
-    assert run("info", "-p", gimbal.address).status == 0
 
 
 def test_reset_waits_for_a_port_that_disappears(tmp_path: Path) -> None:
@@ -361,73 +207,7 @@ def test_nothing_happens_unarmed(gimbal: EmulatedGimbal, arguments: tuple[str, .
     assert sent <= READING and (sent or arguments == ("motors", "off"))
 
 
-@pytest.mark.parametrize(
-    "arguments, words",
-    [
-        (("move", "--yes"), "--roll, --pitch, --tilt, --yaw or --pan"),
-        (("move", "--yaw", "721", "--yes"), "--yaw: 721 deg is too far"),
-        (("move", "--yaw", "721", "--relative", "--yes"), "--yaw: 721 deg is too far"),
-        (("move", "--yaw", "-720", "--relative", "--yes"), "is less than two turns"),
-        (("move", "--yaw", "5", "--speed", "0", "--yes"), "--speed must be positive"),
-        (("move", "--yaw", "5", "--speed", "-5", "--yes"), "--speed must be positive"),
-        (("move", "--yaw", "5", "--speed", "0.01", "--yes"), "too slow; the least is 0.12"),
-        (("speed", "--yaw", "4001", "--for", "1s", "--yes"), "--yaw: 4001 deg/s is too fast"),
-        (("speed", "--for", "1s", "--yes"), "--roll, --pitch, --tilt, --yaw or --pan"),
-        (("speed", "--yaw", "5", "--yes"), "--for TIME"),
-        (("speed", "--yaw", "5", "--for", "2d", "--yes"), "'2d' is not a duration"),
-        (("speed", "--yaw", "5", "--for", "-1s", "--yes"), "'-1s' is not a duration"),
-        (("speed", "--yaw", "5", "--for", "0s", "--yes"), "'0s' is not a duration"),
-        (("speed", "--yaw", "5", "--for", "1e3s", "--yes"), "'1e3s' is not a duration"),
-        (("motors", "maybe", "--yes"), "maybe"),
-    ],
-)
-def test_wrong_values(arguments: tuple[str, ...], words: str) -> None:
-    result = run(*arguments)
-    assert result.status == 2
-    assert words in " ".join(result.error.split())
-
-
 # The keyboard
-
-
-class Terminal:
-    """A terminal in which the command runs."""
-
-    def __init__(self, *arguments: str) -> None:
-        self.process, self.screen = pty.fork()
-        if self.process == 0:
-            os.execv(PROGRAM, [PROGRAM, *arguments])
-        self.shown = b""
-
-    def await_text(self, text: bytes) -> None:
-        deadline = time.monotonic() + 30
-        while text not in self.shown:
-            assert time.monotonic() < deadline, self.shown
-            try:
-                self.shown += os.read(self.screen, 4096)
-            except OSError:
-                raise AssertionError(f"the command has ended: {self.shown!r}") from None
-
-    def press(self, keys: bytes) -> None:
-        os.write(self.screen, keys)
-
-    def hold(self, keys: tuple[bytes, ...], is_done: Callable[[], bool]) -> None:
-        """As a held key repeats."""
-        deadline = time.monotonic() + 30
-        while not is_done():
-            assert time.monotonic() < deadline, self.shown
-            for key in keys:
-                self.press(key)
-            time.sleep(0.03)
-
-    def status(self) -> int:
-        """Waits for the end; the screen must be read meanwhile."""
-        try:
-            while part := os.read(self.screen, 4096):
-                self.shown += part
-        except OSError:
-            pass  # the other side is closed
-        return os.waitstatus_to_exitcode(os.waitpid(self.process, 0)[1])
 
 
 def test_jog_turns_while_a_key_is_held() -> None:

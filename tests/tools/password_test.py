@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import os
-import pty
 import re
 import signal
 import socket
 import subprocess
+import termios
 import threading
 import time
 from collections.abc import Iterator
@@ -15,6 +15,7 @@ from pathlib import Path
 
 import pytest
 
+from board_command import Terminal
 from bridge import Bridge, Host
 from emulated_gimbal import emulated_gimbal
 from sbgc_command import PROGRAM, frame, run
@@ -108,10 +109,7 @@ def test_commands_work_with_the_password(
     assert not shows_password(result.out, result.error)
 
 
-@pytest.mark.parametrize(
-    ("command", "file"),
-    (("params", "backup.json"), ("eeprom", "image")),
-)
+@pytest.mark.parametrize(("command", "file"), (("params", "backup.json"), ("eeprom", "image")))
 def test_backups_do_not_hold_it(
     command: str, file: str, tmp_path: Path, protected: str, password_file: str
 ) -> None:
@@ -167,11 +165,6 @@ def test_files_that_are_none(tmp_path: Path) -> None:
         assert result.status == 1 and problem in result.error
 
 
-def test_it_is_not_sent_to_all_ports(password_file: str) -> None:
-    result = run("info", "--password-file", password_file)
-    assert result.status == 2 and "--password-file needs --port or --gimbal" in result.error
-
-
 def test_the_configuration_names_the_file(
     tmp_path: Path, protected: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -187,66 +180,25 @@ def test_the_configuration_names_the_file(
     assert refused.status == 1 and "chmod 600" in refused.error
 
 
-class Typist:
-    """A command in a terminal of its own, at which somebody types."""
-
-    def __init__(self, *arguments: str) -> None:
-        self.master, slave = pty.openpty()
-        self.process = subprocess.Popen(
-            [PROGRAM, *arguments],
-            stdin=slave,
-            stdout=slave,
-            stderr=slave,
-            preexec_fn=os.setsid,
-        )
-        os.close(slave)
-        self.shown = b""
-
-    def read(self) -> bool:
-        try:
-            data = os.read(self.master, 4096)
-        except OSError:  # the end
-            return False
-        self.shown += data
-        return bool(data)
-
-    def wait_for(self, words: bytes) -> None:
-        while words not in self.shown:
-            assert self.read(), self.shown
-
-    def finish(self) -> int:
-        while self.read():
-            pass
-        os.close(self.master)
-        return self.process.wait(20)
-
-
 def test_it_is_asked_for_without_an_echo(protected: str) -> None:
-    typist = Typist("info", "-p", protected, "--password-file", "-")
-    typist.wait_for(b"Password of " + protected.encode() + b": ")
-    arguments = Path(f"/proc/{typist.process.pid}/cmdline").read_bytes()
-    environment = Path(f"/proc/{typist.process.pid}/environ").read_bytes()
-    os.write(typist.master, PASSWORD.encode() + b"\n")
-    assert typist.finish() == 0
-    assert b"2.74.5" in typist.shown
-    assert not shows_password(typist.shown, arguments, environment)
+    terminal = Terminal("info", "-p", protected, "--password-file", "-")
+    terminal.await_text(b"Password of " + protected.encode() + b": ")
+    arguments, environment = (
+        Path(f"/proc/{terminal.process}/{file}").read_bytes() for file in ("cmdline", "environ")
+    )
+    terminal.press(PASSWORD.encode() + b"\n")
+    assert terminal.status() == 0
+    assert b"2.74.5" in terminal.shown
+    assert not shows_password(terminal.shown, arguments, environment)
 
 
 @pytest.mark.parametrize("number", (signal.SIGINT, signal.SIGTERM))
 def test_a_signal_at_the_question_leaves_a_terminal_with_echo(number: int) -> None:
-    typist = Typist("info", "-p", "tcp:127.0.0.1:1", "--password-file", "-")
-    typist.wait_for(b"Password of ")
-    typist.process.send_signal(number)
-    assert typist.process.wait(20) in (130, -number)
-    import termios
-
-    assert termios.tcgetattr(typist.master)[3] & termios.ECHO
-    os.close(typist.master)
-
-
-def test_without_a_terminal_there_is_no_question() -> None:
-    result = run("info", "-p", "tcp:127.0.0.1:1", "--password-file", "-")
-    assert result.status == 1 and "there is no terminal to ask" in result.error
+    terminal = Terminal("info", "-p", "tcp:127.0.0.1:1", "--password-file", "-")
+    terminal.await_text(b"Password of ")
+    os.kill(terminal.process, number)
+    assert terminal.status() in (130, -number)
+    assert termios.tcgetattr(terminal.screen)[3] & termios.ECHO
 
 
 # Sending

@@ -340,30 +340,6 @@ def test_a_star_repeats_a_line_of_a_dump() -> None:
     assert decode(octal) == [line]
 
 
-@pytest.mark.parametrize(
-    "text, error",
-    [
-        ("10, 20, 30", "can be hex text or decimal numbers, with different bytes"),
-        ("00000000: 3e56 0056 00\n00000020: 3e56", "the offset of this line should be 0x5"),
-        ("00000000  3e 56 00 56 00\n*\n00000020\n", "'*' stands for lines that are not clear"),
-        ("00000000  00 00\n*\n7fff0000  3e 56\n", "'*' stands for lines that are not clear"),
-        ("0000000 563e 5600 0000\n0000005\n", "the order of the bytes in these words"),
-        ("TX: 3e 56 00\nOO\n", "line 2 column 1: 'O' is not a hex digit"),
-        ("uint8_t b[] = {0x3e, 0x56 / 2}", "'/' is not a hex digit"),
-        ("\ufeff3e 56".encode("utf-16"), "this may be text in UTF-16"),
-        (">>> ser.read(2)", "found no frame in 15 bytes, read as characters"),
-        ("[62, 86, 0, 86, 300]", "decimal numbers, line 1 column 17: expected a number"),
-        ("b'>V\\x00V\\x00", "strings, line 1 column 14: ' is missing"),
-        ("b'>V\\x00V\\q'", "strings, line 1 column 10: unknown escape"),
-        (">V{00}V{0}", "line 1 column 8: two hex digits and '}' must follow"),
-        ("TX: 3e 560 ", "hex text after times or names, line 1 column 11: half a byte"),
-    ],
-)
-def test_what_cannot_be_read_is_refused_with_the_reading(text: str | bytes, error: str) -> None:
-    result = run("decode", "--format", "jsonl", stdin=text)
-    assert result.status == 1 and error in result.error
-
-
 def test_hex_can_be_demanded() -> None:
     frames = "12 24 3E 56 00 56 00"
     assert decode(frames, "--hex") == decode(frames)

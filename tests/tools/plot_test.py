@@ -5,14 +5,13 @@ from __future__ import annotations
 import math
 import random
 import re
-import subprocess
 import xml.etree.ElementTree as xml
 from pathlib import Path
 
 import pytest
 
 from emulated_gimbal import emulated_gimbal
-from sbgc_command import PROGRAM, run
+from sbgc_command import run
 
 
 def table(
@@ -43,15 +42,6 @@ def test_any_rate_is_even(rate: float) -> None:
     assert strongest(result.text)[0] == pytest.approx(12, abs=0.2)
 
 
-def test_a_clock_of_milliseconds_has_any_rate() -> None:
-    rows = ["time[s],timestamp_ms[ms],gyro[deg/s]"]
-    for at, value in enumerate(sine(12, 1, 1000, 98.1)):
-        rows.append(f"{at // 25 * 0.25},{round(1000 * at / 98.1) % 65536},{value}")
-    result = run("plot", "-", "gyro", "--spectrum", stdin="\n".join(rows))
-    assert result.status == 0, result.error
-    assert strongest(result.text)[0] == pytest.approx(12, abs=0.2)
-
-
 def strongest(text: str) -> tuple[float, float]:
     found = re.search(r"strongest: ([\d.]+) Hz with ([\d.]+)", one_line(text))
     assert found, text
@@ -67,28 +57,6 @@ def test_a_spectrum_names_the_frequency(late: float) -> None:
     hertz, amplitude = strongest(result.text)
     assert hertz == pytest.approx(37, abs=0.5) and amplitude == pytest.approx(0.4, rel=0.1)
     assert re.search(r"0 Hz .* 112(\.\d)? Hz", result.text), "45 % of the rate"
-
-
-@pytest.mark.parametrize("lost, status", [(100, 0), (30, 1)])
-def test_lost_samples(lost: int, status: int) -> None:
-    rows = table(sine(20, 1)).splitlines()
-    kept = "\n".join(row for at, row in enumerate(rows) if at < 5 or at % lost != 0)
-    result = run("plot", "-", "--spectrum", stdin=kept)
-    assert result.status == status
-    if status == 0:
-        assert strongest(result.text)[0] == pytest.approx(20, abs=0.5)
-    else:
-        assert "of its samples are lost, more than 1 %" in result.error
-
-
-def test_the_clock_of_the_samples_wraps_and_counts() -> None:
-    rows = ["time[s],timestamp_ms[ms],gyro[deg/s]"]
-    for at, value in enumerate(sine(37, 1)):
-        # They arrive in bundles of 25.
-        rows.append(f"{at // 25 * 0.1},{(65000 + 4 * at) % 65536},{value}")
-    result = run("plot", "-", "gyro", "--spectrum", stdin="\n".join(rows))
-    assert result.status == 0, result.error
-    assert strongest(result.text)[0] == pytest.approx(37, abs=0.5)
 
 
 def test_a_curve_in_the_terminal() -> None:
@@ -129,30 +97,6 @@ def test_live() -> None:
     ]
     assert shaking.status == 0, shaking.error
     assert strongest(shaking.text)[0] == pytest.approx(37, abs=1)
-
-
-@pytest.mark.parametrize(
-    "content, status, words",
-    [
-        ("", 1, "no two rows"),
-        ("time[s],a\n0,1\n", 1, "no two rows"),
-        ("time[s],a\n0,1\n1\n", 1, "line 3 of the table has 1 column instead of 2"),
-        ("time[s],a\n1,1\n0,1\n", 1, "line 3: the first column, 'time', is not a time that grows"),
-        ("time[s],a\nx,1\n0,1\n", 1, "line 2: the first column"),
-        ("time[s],a\n0,1\n1e308,1\n", 1, "line 3: the first column"),
-        ("time[s],a\n0,x\n1,\n", 1, "hold no numbers"),
-        ("time[s],a\n0,1\n0,2\n0,3\n", 1, "its samples have no distance in time"),
-        ("\0\0\n", 1, "`sbgc decode --format csv CAPTURE`"),
-    ],
-)
-def test_tables_that_are_none(content: str, status: int, words: str) -> None:
-    result = run("plot", "-", "--spectrum", stdin=content)
-    assert result.status == status and words in result.error
-
-
-def test_a_field_that_is_not_there() -> None:
-    result = run("plot", "-", "speed", stdin=table([0, 1]))
-    assert result.status == 2 and "no column is 'speed'; there are gyro" in result.error
 
 
 @pytest.mark.parametrize(
@@ -219,24 +163,12 @@ def test_columns_of_other_messages_do_not_interrupt_a_curve() -> None:
     assert len(columns_of("\n".join(text.splitlines()[1:-1]))) > 60
 
 
-@pytest.mark.parametrize(
-    "option", [("--rate", "50"), ("--for", "2s"), ("--stream", "RealtimeData4"), ("--with", "x")]
-)
-def test_options_of_live_are_refused_for_a_table(option: tuple[str, str]) -> None:
-    result = run("plot", "-", *option, stdin=table([0, 1]))
-    assert result.status == 2
-    assert result.error.strip() == f"sbgc: {option[0]} is for `sbgc plot live`, not for a table"
-
-
-@pytest.mark.parametrize(
-    "values", [("0", "1.79e308"), ("-1.79e308", "1.79e308"), ("1e300", "-1e300")]
-)
-def test_numbers_near_the_largest(values: tuple[str, str], tmp_path: Path) -> None:
-    rows = "t,a,b\n" + "".join(f"{i},{value},{i}\n" for i, value in enumerate(values))
-    for options in (("--svg", str(tmp_path / "a.svg")), ()):
-        result = run("plot", "-", *options, stdin=rows)
-        assert result.status == 0 and len(result.out) < 10_000
-    assert (tmp_path / "a.svg").stat().st_size < 20_000
+def test_numbers_near_the_largest(tmp_path: Path) -> None:
+    for least, most in (("0", "1.79e308"), ("-1.79e308", "1.79e308"), ("1e300", "-1e300")):
+        for options in (("--svg", str(tmp_path / "a.svg")), ()):
+            result = run("plot", "-", *options, stdin=f"t,a,b\n0,{least},0\n1,{most},1\n")
+            assert result.status == 0 and len(result.out) < 10_000
+        assert (tmp_path / "a.svg").stat().st_size < 20_000
 
 
 def test_no_more_curves_than_can_be_seen() -> None:
@@ -250,18 +182,3 @@ def test_no_more_curves_than_can_be_seen() -> None:
     assert run("plot", "-", "c7,c99999", stdin=rows).status == 0
     first_line_alone = run("plot", "-", stdin=rows[: rows.index("\n") + 1] + "1,2\n")
     assert "more than 500" in first_line_alone.error, "before any value is read"
-
-
-def test_a_clock_that_jumps_needs_no_memory() -> None:
-    rows, clock = "time[s],timestamp_ms,a\n", 0
-    for i in range(6000):
-        clock += 60_000 if i % 5 == 4 else 4
-        rows += f"{i * 0.004},{clock % 65_536},{i % 5}\n"
-    limited = subprocess.run(
-        ["prlimit", "--as=400000000", PROGRAM, "plot", "-", "a", "--spectrum"],
-        input=rows,
-        text=True,
-        capture_output=True,
-        check=False,
-    )
-    assert limited.returncode == 1 and re.search(r"\d % of its samples are lost", limited.stderr)

@@ -37,10 +37,7 @@ def fixture_folder(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
         script = "\n".join(commands).replace("sbgc record", f"sbgc {port}").replace("60s", "1s")
         path = f"{folder}{os.pathsep}{os.environ['PATH']}"
         subprocess.run(
-            ["bash", "-euc", script],
-            cwd=folder,
-            env={**os.environ, "PATH": path},
-            check=True,
+            ["bash", "-euc", script], cwd=folder, env={**os.environ, "PATH": path}, check=True
         )
     yield folder
 

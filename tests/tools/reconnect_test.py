@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from emulated_gimbal import EmulatedGimbal, emulated_gimbal
+from emulated_gimbal import emulated_gimbal
 from sbgc_command import PROGRAM
 
 

@@ -3,11 +3,8 @@
 from __future__ import annotations
 
 import os
-import pty
 import re
-import select
 import subprocess
-import time
 from pathlib import Path
 
 import pytest
@@ -126,43 +123,6 @@ def test_bash() -> None:
     expected = ["info", "end", "text", "json", "end", "tcp:", "end", "", "end"]
     assert done.stdout.splitlines() == expected
     assert "command not found" not in done.stderr
-
-
-def test_fish() -> None:
-    script = (
-        "sbgc completion fish | source; complete -C 'sbgc inf'; complete -C 'sbgc info --format '"
-    )
-    done = subprocess.run(
-        ["fish", "--no-config", "-c", script],
-        env=environment(),
-        capture_output=True,
-        text=True,
-        check=True,
-    )
-    lines = [line.split("\t")[0] for line in done.stdout.splitlines()]
-    assert lines[0] == "info" and set(lines[1:]) == {"text", "json"}
-
-
-def test_zsh(tmp_path: Path) -> None:
-    """zsh completes only in a terminal."""
-    (tmp_path / "_sbgc").write_text(run("completion", "zsh").text)
-    child, terminal = pty.fork()
-    if child == 0:
-        os.environ.update(environment(), TERM="dumb", PS1="> ")
-        os.execvp("zsh", ["zsh", "-f", "-i"])
-    typed = f"fpath=({tmp_path} $fpath); autoload -U compinit; compinit -u -d {tmp_path}/dump\n"
-    typed += "print re''ady\n"
-    shown = ""
-    os.write(terminal, typed.encode())
-    deadline = time.monotonic() + 30
-    while not "--format text" in shown and time.monotonic() < deadline:
-        if select.select([terminal], [], [], 0.2)[0]:
-            shown += os.read(terminal, 4096).decode()
-        if "\nready" in shown and "sbgc inf" not in shown:
-            os.write(terminal, b"sbgc inf\t--format te\t")
-    os.close(terminal)
-    os.waitpid(child, 0)
-    assert re.search(r"sbgc info\W.*--format text", shown), shown
 
 
 @pytest.mark.parametrize("name", ["", "decode", "info"])

@@ -73,19 +73,6 @@ def test_what_differs_from_the_defaults(tmp_path: Path, monkeypatch: pytest.Monk
         assert run("params", "show", "--changed", "-p", other.address).status == 1
 
 
-def test_a_stream_without_a_name_shows_the_angles() -> None:
-    with emulated_gimbal() as gimbal:
-        text = run("stream", "--for", "0.5s", "--rate", "10", "-p", gimbal.address).text
-        header, *lines = text.splitlines()
-        assert header.split() == [
-            "time[s]",
-            *(f"angle.{axis}[deg]" for axis in ("roll", "pitch", "yaw")),
-        ]
-        assert lines and all(len(line.split()) == 4 for line in lines)
-        chosen = run("stream", "--fields", "bat_level", "--for", "0.3s", "-p", gimbal.address).text
-        assert chosen.splitlines()[0].split() == ["time[s]", "bat_level[V]"]
-
-
 def test_a_jog_fits_into_a_small_terminal(tmp_path: Path) -> None:
     with emulated_gimbal() as gimbal, terminal(tmp_path, 40, 12) as shell:
         shell.run("jog", "--yes", "-p", gimbal.address)

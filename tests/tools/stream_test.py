@@ -12,7 +12,6 @@ import signal
 import socket
 import subprocess
 import threading
-import time
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -56,65 +55,19 @@ def test_csv_has_a_row_for_each_message(gimbal: EmulatedGimbal) -> None:
     assert 6 < float(values["bat_level[V]"]) < 30
 
 
-def test_old_firmware_is_polled() -> None:
-    """Before 2.59 there are no data streams."""
-    with emulated_gimbal("--firmware", "2.43b9") as old:
-        result = stream(old, "RealtimeData4", "--rate", "20", "--format", "csv", "--for", "1s")
-        _, rows = rows_of(result)
-        assert 5 <= len(rows) <= 22
-        assert result.error.count("CMD_REALTIME_DATA_4 is repeated instead of a data stream") == 1
-        assert "needs firmware 2.59" in " ".join(result.error.split())
-        refused = stream(old, "RealtimeDataCustom", "--with", "IMU_ANGLES")
-        assert refused.status == 1 and "firmware 2.59" in refused.error
-
-
-def test_fields_are_chosen_by_patterns_and_ends(gimbal: EmulatedGimbal) -> None:
-    header, _ = rows_of(
-        stream(
-            gimbal, "cmd_realtime_data_4", "--format", "csv", "--for", "100ms",
-            "--fields", "angle.*,cycle_time,rotor_angle",
-        )
-    )  # fmt: skip
-    names = [f"{group}.{axis}[deg]" for group in ("angle", "rotor_angle") for axis in AXES]
-    assert header == ["time[s]", *names[:3], "cycle_time[us]", *names[3:]]
-
-
-AXES = ("roll", "pitch", "yaw")
-
-
 def test_fields_choose_what_the_message_contains(gimbal: EmulatedGimbal) -> None:
-    arguments = (
-        "RealtimeDataCustom",
-        "--format",
-        "jsonl",
-        "--for",
-        "200ms",
-        "--rate",
-        "20",
-    )
+    arguments = ("RealtimeDataCustom", "--format", "jsonl", "--for", "200ms", "--rate", "20")
     result = stream(gimbal, *arguments, "--fields", "imu_angles.yaw,rc_data")
     assert result.status == 0, result
     for sample in result.objects:
         assert 0 < sample["time"] < 10
         assert sample["version"] == 1 and sample["message"] == "RealtimeDataCustom"
-        assert set(sample["fields"]) == {
-            "imu_angles.yaw",
-            *(f"rc_data[{i}]" for i in range(6)),
-        }
+        assert set(sample["fields"]) == {"imu_angles.yaw", *(f"rc_data[{i}]" for i in range(6))}
         angle = sample["fields"]["imu_angles.yaw"]
         assert angle["unit"] == "deg"
         assert angle["real"] == pytest.approx(angle["raw"] * 360 / 16384)
     same = stream(gimbal, *arguments, "--with", "imu_angles|RC_DATA")
     assert {"timestamp_ms", "imu_angles.roll", "rc_data[5]"} <= set(same.objects[0]["fields"])
-
-
-def test_text_is_a_table(gimbal: EmulatedGimbal) -> None:
-    result = stream(gimbal, "RealtimeData3", "--for", "300ms", "--fields", "angle.yaw,error_code")
-    assert result.status == 0, result
-    lines = result.text.splitlines()
-    assert lines[0].split() == ["time[s]", "angle.yaw[deg]", "error_code"]
-    assert len(lines) > 5
-    assert len({len(line) for line in lines}) == 1
 
 
 @pytest.mark.parametrize("columns", [60, 80, 120])
@@ -161,32 +114,6 @@ def table_on_terminal(gimbal: EmulatedGimbal, columns: int, *stream: str) -> lis
     return shown.decode().splitlines()
 
 
-def test_fields_have_the_names_of_the_specification(gimbal: EmulatedGimbal) -> None:
-    fields = "SYSTEM_ERROR, ANGLE_PITCH ,FRAME_IMU_ANGLE"
-    result = stream(
-        gimbal, "RealtimeData4", "--for", "300ms", "--format", "csv", "--fields", fields
-    )
-    assert rows_of(result)[0] == [
-        *("time[s]", "system_error", "angle.pitch[deg]", "frame_imu_angle.roll[deg]"),
-        *("frame_imu_angle.pitch[deg]", "frame_imu_angle.yaw[deg]"),
-    ]
-
-
-def test_the_table_names_its_time(gimbal: EmulatedGimbal) -> None:
-    arguments = ("--for", "300ms", "--unix-time", "--fields", "cycle_time")
-    lines = stream(gimbal, "RealtimeData4", *arguments).text.splitlines()
-    assert lines[0].split()[0] == "unix_time[s]"
-    assert abs(float(lines[1].split()[0]) - time.time()) < 60
-    assert len({len(line) for line in lines}) == 1
-
-
-def test_the_message_needs_later_firmware() -> None:
-    with emulated_gimbal("--firmware", "2.59") as old:
-        result = run("stream", "Event", "--with", "ON", "-p", old.address)
-    assert result.status == 1
-    assert "CMD_EVENT needs firmware 2.65b7, the board has 2.59" in result.error
-
-
 def test_a_restart_is_reported() -> None:
     with emulated_gimbal() as board:
         process = start(board, "RealtimeData4", "--format", "jsonl", "--for", "8s")
@@ -204,15 +131,7 @@ def without_losses(error: str) -> str:
 
 def test_lost_messages_are_counted() -> None:
     with emulated_gimbal("--bit-errors", "4e-4") as noisy:
-        arguments = (
-            "RealtimeData4",
-            "--rate",
-            "50",
-            "--for",
-            "1500ms",
-            "--format",
-            "csv",
-        )
+        arguments = ("RealtimeData4", "--rate", "50", "--for", "1500ms", "--format", "csv")
         result = run("stream", *arguments, "-p", noisy.address, "--attempts", "50")
     rows = rows_of(result)[1]
     told = re.search(r"about (\d+) messages? lost on the line, (\d+) received", result.error)
@@ -224,46 +143,11 @@ def test_lost_messages_are_counted() -> None:
 
 def test_a_capture_ends(gimbal: EmulatedGimbal, tmp_path: Path) -> None:
     capture = tmp_path / "capture"
-    recorded = (
-        "record",
-        "-p",
-        gimbal.address,
-        str(capture),
-        "--stream",
-        "RealtimeData4",
-    )
+    recorded = ("record", "-p", gimbal.address, str(capture), "--stream", "RealtimeData4")
     assert run(*recorded, "--for", "1s").status == 0
     result = run("stream", "RealtimeData4", "-p", f"capture:{capture}", "--format", "csv")
     assert (result.status, without_losses(result.error)) == (0, "")
     assert len(rows_of(result)[1]) > 3
-
-
-@pytest.mark.parametrize(
-    ("arguments", "status", "words"),
-    [
-        (["RealtimeData5"], 2, "did you mean 'RealtimeData"),
-        (["BoardInfo"], 2, "no data stream of 'BoardInfo'"),
-        (["RealtimeData4", "--fields", "angel.roll"], 2, "did you mean 'angle.roll'"),
-        (["RealtimeData4", "--fields", "angels"], 2, "did you mean 'angle'"),
-        (["RealtimeData4", "--fields", "roll"], 2, "is not unique"),
-        (["RealtimeDataCustom"], 2, "IMU_ANGLES"),
-        (["RealtimeDataCustom", "--with", "IMU_ANGEL"], 2, "did you mean 'IMU_ANGLES'"),
-        (["RealtimeData4", "--rate", "0"], 2, "--rate"),
-        (["RealtimeData4", "--format", "xml"], 2, "--format must be text, jsonl or csv, not 'xml'"),
-        (["RealtimeData4", "--fields", "nothing"], 2, "`sbgc describe RealtimeData4` lists them"),
-        (["RealtimeData4", "--for", "soon"], 2, "not a duration"),
-    ],
-)  # fmt: skip
-def test_mistakes_are_explained(arguments: list[str], status: int, words: str) -> None:
-    result = run("stream", "-p", "tcp:127.0.0.1:9", *arguments)
-    assert result.status == status
-    assert words in result.error
-
-
-def test_without_a_board_it_fails() -> None:
-    result = run("stream", "RealtimeData4", "-p", "tcp:127.0.0.1:9")
-    assert result.status == 1
-    assert "refused" in result.error
 
 
 def start(gimbal: EmulatedGimbal, *arguments: str) -> subprocess.Popen[str]:
@@ -275,9 +159,7 @@ def start(gimbal: EmulatedGimbal, *arguments: str) -> subprocess.Popen[str]:
     )
 
 
-def test_each_row_is_written_at_once_and_ctrl_c_is_an_end(
-    gimbal: EmulatedGimbal,
-) -> None:
+def test_each_row_is_written_at_once_and_ctrl_c_is_an_end(gimbal: EmulatedGimbal) -> None:
     process = start(gimbal, "RealtimeData4", "--format", "jsonl", "--rate", "10")
     assert process.stdout is not None
     for _ in range(3):
@@ -331,25 +213,3 @@ def test_a_stream_of_an_unknown_message_is_bytes() -> None:
     start, *_, end = asked
     assert start == bytes([200, 100, 0, 0xBE, 0xEF]) + bytes(16)
     assert end == bytes([200, 0, 0, 0xBE, 0xEF]) + bytes(16)
-
-
-def test_the_bytes_of_a_known_stream(gimbal: EmulatedGimbal) -> None:
-    header, rows = rows_of(
-        stream(gimbal, "--id", "23", "--rate", "20", "--format", "csv", "--for", "1s")
-    )
-    assert header == ["time[s]", "body"]
-    assert len(rows) >= 5 and all(len(bytes.fromhex(row[1])) == 63 for row in rows)
-
-
-@pytest.mark.parametrize(
-    ("arguments", "problem"),
-    (
-        (["--id", "200", "--config", "0e4"], "up to 8 pairs of hex digits"),
-        (["--id", "200", "--config", "00" * 9], "up to 8 pairs of hex digits"),
-        (["--id", "88"], "has a name"),
-        (["RealtimeData3", "--id", "23"], "--id is for bytes"),
-    ),
-)
-def test_mistakes_with_bytes(arguments: list[str], problem: str) -> None:
-    result = run("stream", "-p", "tcp:127.0.0.1:1", *arguments)
-    assert result.status == 2 and problem in result.error

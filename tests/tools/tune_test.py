@@ -5,15 +5,15 @@ from __future__ import annotations
 import json
 import os
 import signal
-import subprocess
 import time
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+from board_command import Watched
 from emulated_gimbal import EmulatedGimbal, emulated_gimbal
-from sbgc_command import PROGRAM, run
+from sbgc_command import run
 from screens import terminal
 
 QUICK = ("--firmware", "2.70b0", "--board", "3.6", "--calibration-time", "10")
@@ -71,19 +71,12 @@ def test_no_puts_the_old_values_back(tmp_path: Path) -> None:
 def test_ctrl_c_ends_the_tuning_and_nothing_changes() -> None:
     with emulated_gimbal(*SLOW) as gimbal:
         before = gains(gimbal)
-        with subprocess.Popen(
-            [PROGRAM, "tune", "--yes", "-v", "-p", gimbal.address],
-            stderr=subprocess.PIPE,
-            stdout=subprocess.DEVNULL,
-            text=True,
-        ) as tuning:
-            assert tuning.stderr is not None
-            for line in tuning.stderr:
-                if "CMD_AUTO_PID" in line and "board to host" in line:
-                    break
-            tuning.send_signal(signal.SIGINT)
-            text = tuning.stderr.read()
-            assert tuning.wait() == 130
+        tuning = Watched("tune", "--yes", "-p", gimbal.address)
+        tuning.wait_for("CMD_AUTO_PID (35)  board to host")
+        tuning.process.send_signal(signal.SIGINT)
+        ended = tuning.end()
+        assert ended.status == 130
+        text = ended.error
         assert "The old values are on the board." in text
         assert text.rstrip().endswith("interrupted; the camera has stopped")
         assert gains(gimbal) == before
@@ -107,17 +100,9 @@ def wait_for_end_of_tuning(gimbal: EmulatedGimbal, before: dict[str, Any]) -> No
 def test_a_guard_ends_the_tuning_of_a_dead_command() -> None:
     with emulated_gimbal(*SLOW) as gimbal:
         before = gains(gimbal)
-        with subprocess.Popen(
-            [PROGRAM, "tune", "--yes", "-v", "-p", gimbal.address],
-            stderr=subprocess.PIPE,
-            stdout=subprocess.DEVNULL,
-            text=True,
-        ) as tuning:
-            assert tuning.stderr is not None
-            for line in tuning.stderr:
-                if "CMD_AUTO_PID" in line and "board to host" in line:
-                    break
-            tuning.kill()
+        tuning = Watched("tune", "--yes", "-p", gimbal.address)
+        tuning.wait_for("CMD_AUTO_PID (35)  board to host")
+        tuning.process.kill()
         wait_for_end_of_tuning(gimbal, before)
 
 
@@ -135,20 +120,3 @@ def test_a_guard_puts_the_old_values_back_if_the_command_dies_at_the_question(
             assert gains(gimbal) != before
             os.kill(shell.process(), signal.SIGKILL)
             wait_for_end_of_tuning(gimbal, before)
-
-
-def test_what_is_not_possible() -> None:
-    with emulated_gimbal("--board", "3.6", "--firmware", "2.73") as gimbal:
-        later = run("tune", "--yes", "-p", gimbal.address)
-        assert later.status == 1 and "no document says what its gain means" in " ".join(
-            later.error.split()
-        )
-    with emulated_gimbal() as gimbal:
-        assert run("motors", "off", "--yes", "-p", gimbal.address).status == 0
-        off = run("tune", "--yes", "-p", gimbal.address)
-        assert off.status == 1 and "the motors are off" in off.error
-        assert run("motors", "on", "--yes", "-p", gimbal.address).status == 0
-        unasked = run("tune", "-p", gimbal.address)
-        assert unasked.status == 1 and "not confirmed" in unasked.error
-    wrong = run("tune", "tilt", "-p", "tcp:127.0.0.1:1")
-    assert wrong.status == 2
