@@ -68,9 +68,10 @@ def test_reserved_bytes_are_numbered_only_if_there_are_several(tmp_path: Path) -
     number = "{name: A, type: u8, summary: S.}"
     one = message(tmp_path / "one", "{reserved: 3}", number)
     assert leaves(one)[0] == ("reserved", "RESERVED", "bytes", 3, 0)
-    two = message(tmp_path / "two", "{reserved: 3}", number, "{reserved: 2}")
-    assert [i.path for i in two.leaves] == ["reserved_1", "a", "reserved_2"]
-    assert [i.field.reserved for i in two.leaves] == [True, False, True]
+    spare = '{name: SPARE, type: "bytes[2]", reserved: true}'
+    two = message(tmp_path / "two", "{reserved: 3}", number, spare, "{reserved: 2}")
+    assert [i.path for i in two.leaves] == ["reserved_1", "a", "spare", "reserved_2"]
+    assert [i.field.reserved for i in two.leaves] == [True, False, True, True]
 
 
 def test_list_counted_by_an_earlier_field(tmp_path: Path) -> None:
