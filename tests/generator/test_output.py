@@ -93,15 +93,6 @@ def test_output_holds_no_dates_no_paths_and_unix_lines() -> None:
         content.decode("utf-8")
 
 
-def test_second_run_leaves_every_file_alone(tmp_path: Path) -> None:
-    made = output(tmp_path)
-    assert made.write() == len(made.files)
-    age(made.folder)
-    before = times(made.folder)
-    assert made.write() == 0
-    assert times(made.folder) == before
-
-
 def test_only_what_changes_is_written(tmp_path: Path) -> None:
     output(tmp_path / "a").write()
     folder = tmp_path / "a" / "out"
@@ -124,16 +115,6 @@ def test_stale_files_and_their_empty_folders_go(tmp_path: Path) -> None:
     assert made.write() == 1
     assert not (made.folder / "old").exists()
     assert set(snapshot(made.folder)) == set(made.files)
-
-
-def test_family_that_goes_takes_its_files_with_it(tmp_path: Path) -> None:
-    made = output(tmp_path)
-    made.write()
-    less = output(tmp_path / "less", "family: probe\nsummary: Nothing left.\n")
-    gone = set(made.files) - set(less.files)
-    assert any("probe" in name for name in gone)
-    Output(made.folder, less.files).write()
-    assert set(snapshot(made.folder)) == set(less.files)
 
 
 def test_a_folder_with_other_files_is_not_cleaned(tmp_path: Path) -> None:
