@@ -85,6 +85,8 @@ def test_arguments_out_of_range_are_errors_with_field_value_and_limit(gimbal: Gi
         gimbal.move_to(pitch="up")  # type: ignore[arg-type]
     with pytest.raises(ValueError, match="timeout"):
         gimbal.move_to(pitch=1, timeout=-1)
+    with pytest.raises(ValueError, match="seconds: -1 is no time"):
+        gimbal.turn(yaw=20, seconds=-1)
     sound = msg.BeepSound()
     sound.assign("decay_factor", "16", validates=False)
     with pytest.raises(GimbalError, match="decay_factor: 16 is above 15"):
@@ -159,6 +161,16 @@ def test_a_speed_is_held_and_ends_with_the_block(board: Board, gimbal: Gimbal) -
             control.refresh()
         raise ZeroDivisionError
     assert is_still(board)
+
+
+def test_a_speed_ends_if_its_owner_is_silent(board: Board, gimbal: Gimbal) -> None:
+    with pytest.warns(RuntimeWarning, match="was called for 200 ms"):
+        with gimbal.speed_control(silence=0.2) as control:
+            control.set(yaw=20)
+            time.sleep(1.0)
+            assert is_still(board)
+            with pytest.raises(GimbalError, match="the camera has been stopped"):
+                control.refresh()
 
 
 def test_closing_stops_a_move_of_another_thread(board: Board, gimbal: Gimbal) -> None:
