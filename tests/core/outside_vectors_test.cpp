@@ -125,7 +125,7 @@ TEST(OutsideVectorsFile, UnknownCommandsAreThoseTheModelLacks) {
   EXPECT_EQ(unknown, lacking);
 }
 
-// The reference codec reads the same frames: tests/generator/oracle/test_vendor_2026.py.
+// The reference codec reads the same frames: tests/generator/oracle/test_outside_vectors.py.
 TEST(OutsideVectorsFile, FramesOfTheVendorsCodeDecodeAndComeBack) {
   for (const Json& entry : read_json(SBGC_TEST_DATA "/vendor_2026.json")) {
     SCOPED_TRACE(entry["meaning"].get<std::string>());
