@@ -105,7 +105,7 @@ INSTANTIATE_TEST_SUITE_P(Entries, OutsideVectors, testing::Range<std::size_t>(0,
 
 TEST(OutsideVectorsFile, HasNotShrunk) { EXPECT_GE(vectors().size(), 31U); }
 
-// The reference codec reads the same frames: tests/generator/oracle/test_vendor_2026.py.
+// The reference codec reads the same frames: tests/generator/oracle/test_outside_vectors.py.
 TEST(OutsideVectorsFile, FramesOfTheVendorsCodeDecodeAndComeBack) {
   for (const Json& entry : read_json(SBGC_TEST_DATA "/vendor_2026.json")) {
     SCOPED_TRACE(entry["meaning"].get<std::string>());

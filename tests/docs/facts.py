@@ -3,19 +3,21 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Protocol, Union
+from operator import attrgetter
+from typing import Any, Optional, Protocol, Union
 
 from sbgcgen.views.words import default_words, rules_in, versions
 from sbgcgen.model import (
-    Alias,
-    Answer,
+    AnswerCase,
     Availability,
+    Command,
     Condition,
     Effect,
     Enum,
+    Erratum,
     Field,
     Layout,
     Leaf,
@@ -23,6 +25,7 @@ from sbgcgen.model import (
     Packed,
     Part,
     Quantity,
+    Variable,
 )
 
 Wanted = Union[str, Fraction]
@@ -123,88 +126,89 @@ def shapes_of(fact: Fact) -> re.Pattern[str]:
 
 def all_facts(layout: Layout) -> Iterator[Fact]:
     """Yields all facts of the protocol."""
-    for message in layout.messages:
-        yield from facts_of_message(message)
-    for enum in layout.enums:
-        yield from _enum(enum)
-    for packed in layout.packed:
-        yield from _packed(packed)
-    for quantity in layout.quantities:
-        yield from _quantity(quantity)
-    yield from _variables(layout)
-    yield from _errata(layout)
-    yield from _commands(layout)
+    parts: tuple[tuple[Callable[[Any], Iterator[Fact]], Iterable[Any]], ...] = (
+        (facts_of_message, layout.messages),
+        (_enum, layout.enums),
+        (_packed, layout.packed),
+        (_quantity, layout.quantities),
+        (_variable, layout.variables),
+        (_erratum, layout.errata),
+        (_command, layout.commands),
+    )
+    for facts_of, things in parts:
+        for thing in things:
+            yield from facts_of(thing)
+
+
+def _plain(place: Place, kind: str, thing: object, attributes: str) -> Iterator[Fact]:
+    """Yields the attributes `path@column` of a thing that are said: each a text, a number, or several of them.
+
+    The kind of the first is that of the thing.
+    """
+    for number, word in enumerate(attributes.split()):
+        path, _, column = word.partition("@")
+        found = attrgetter(path)(thing)
+        for one in found if isinstance(found, tuple) else (found,):
+            if one not in (None, ""):
+                wanted: Wanted = one if isinstance(one, str) else Fraction(one)
+                yield Fact(place, f"{kind} {path}" if number else kind, wanted, column)
+
+
+def _common(place: Place, kind: str, thing: Any, column: str = "") -> Iterator[Fact]:
+    """Its first versions, former names, doubts, deprecation and errata, as far as it can have them."""
+    yield from _since(place, f"{kind} since", getattr(thing, "since", None), column)
+    for alias in getattr(thing, "aliases", ()):
+        yield Fact(place, f"{kind} formerly", alias.spec_name, column)
+    if getattr(thing, "unconfirmed", False):
+        yield Fact(place, f"{kind} unconfirmed", "unconfirmed", column, re.IGNORECASE)
+    if deprecated := getattr(thing, "deprecated", None):
+        yield Fact(place, f"{kind} deprecated", "deprecated", column, re.IGNORECASE)
+        yield from _since(place, f"{kind} deprecated since", deprecated.since, column)
+        if deprecated.replaced_by:
+            yield Fact(place, f"{kind} replaced by", deprecated.replaced_by, column)
+    for number in getattr(thing, "errata", ()):
+        yield Fact(place, f"{kind} errata", number, column)
+
+
+def _since(
+    place: Place, kind: str, since: Optional[Availability], column: str = ""
+) -> Iterator[Fact]:
+    for word in versions(since).split(", ") if since else ():
+        yield Fact(place, kind, word, column)
 
 
 def facts_of_message(message: Message) -> Iterator[Fact]:
     """Yields the facts on the page of a message."""
     place = Place("message", message.name, message.direction)
-    yield Fact(place, "message", message.name)
-    yield Fact(place, "message command", message.command)
-    yield Fact(place, "message id", Fraction(message.id))
-    yield Fact(place, "message summary", message.summary)
-    yield Fact(place, "message source", message.source)
-    yield Fact(place, "message size", Fraction(message.min_size))
-    yield Fact(place, "message size", Fraction(message.max_size))
-    if message.description:
-        yield Fact(place, "message description", message.description)
-    if message.form:
-        yield Fact(place, "message form", message.form)
-    yield from _since(place, "message since", message.since)
-    yield from _unconfirmed(place, "message", message.unconfirmed)
+    words = "name command id summary source min_size max_size description form stores"
+    yield from _plain(place, "message", message, words)
+    yield from _common(place, "message", message)
     for since, size in message.lengths:
         yield Fact(place, "message size of a firmware", Fraction(size))
         yield from _since(place, "message size of a firmware", since)
     for rule in rules_in(message.body):
-        for name in rule.replace("<=", "<").split(" < "):
+        for name in (*rule.replace("<=", "<").split(" < "), re.findall("<=?", rule)[0]):
             yield Fact(place, "rule", name)
-        yield Fact(place, "rule", re.findall("<=?", rule)[0])
     if message.until:
         yield from _since(place, "message until", message.until.versions)
-        if message.until.instead:
-            yield Fact(place, "message instead", message.until.instead)
-    if message.deprecated:
-        yield Fact(place, "message deprecated", "deprecated", flags=re.IGNORECASE)
-        yield from _since(place, "message deprecated since", message.deprecated.since)
-        if message.deprecated.replaced_by:
-            yield Fact(place, "message replaced by", message.deprecated.replaced_by)
-    for number in message.errata:
-        yield Fact(place, "message errata", number)
-    if message.answer:
-        yield from _answer(place, message.answer)
-    if message.stores:
-        yield Fact(place, "message stores", message.stores)
+        yield from _plain(place, "message instead", message.until, "instead")
+    for case in message.answer.cases if message.answer else ():
+        yield from _answer(place, case)
     if message.effect:
         yield from _effect(place, message.effect)
     if message.role and message.role.messages:
-        for name in message.role.messages:
-            yield Fact(place, "message streams", name)
+        yield from _plain(place, "message streams", message.role, "messages")
         if message.role.limit:
             yield Fact(place, "message stream limit", Fraction(message.role.limit))
     for context in message.contexts:
-        yield Fact(place, "context", context.name)
-        yield Fact(place, "context", context.summary)
-        for name, path in context.sources:
-            yield Fact(place, "context source", name)
-            yield Fact(place, "context source", path)
+        yield from _plain(place, "context", context, "name summary")
+        for source in (word for pair in context.sources for word in pair):
+            yield Fact(place, "context source", source)
         if context.announced:
             yield Fact(place, "context source", context.announced.message)
-    for leaf in message.leaves:
-        yield from _leaf(message, leaf)
-        for case in leaf.cases:
-            yield from _leaf(message, case)
-
-
-def _unconfirmed(place: Place, kind: str, is_unconfirmed: bool, column: str = "") -> Iterator[Fact]:
-    if is_unconfirmed:
-        yield Fact(place, f"{kind} unconfirmed", "unconfirmed", column, re.IGNORECASE)
-
-
-def _formerly(
-    place: Place, kind: str, aliases: tuple[Alias, ...], column: str = ""
-) -> Iterator[Fact]:
-    for alias in aliases:
-        yield Fact(place, f"{kind} formerly", alias.spec_name, column)
+    for outer in message.leaves:
+        for leaf in (outer, *outer.cases):
+            yield from _leaf(message, leaf)
 
 
 def _condition(place: Place, kind: str, when: Condition, column: str = "") -> Iterator[Fact]:
@@ -225,11 +229,6 @@ def _condition(place: Place, kind: str, when: Condition, column: str = "") -> It
             yield Fact(place, kind, wanted, column)
 
 
-def _since(place: Place, kind: str, since: Availability, column: str = "") -> Iterator[Fact]:
-    for word in versions(since).split(", ") if since else ():
-        yield Fact(place, kind, word, column)
-
-
 def _effect(place: Place, effect: Effect) -> Iterator[Fact]:
     for case in effect.cases:
         for kind in effect.known:
@@ -239,42 +238,35 @@ def _effect(place: Place, effect: Effect) -> Iterator[Fact]:
             yield from _condition(place, "message effect condition", case.when)
 
 
-def _answer(place: Place, answer: Answer) -> Iterator[Fact]:
-    for case in answer.cases:
-        if case.when:
-            yield from _condition(place, "answer condition", case.when)
-        for name in case.messages:
-            yield Fact(place, "answer", name)
-        if case.messages or case.confirm == "always":
-            yield Fact(place, "answer timeout", Fraction(case.timeout_ms))
-            if case.finish_ms:
-                yield Fact(place, "answer timeout", Fraction(case.finish_ms))
-        if case.confirmations > 1:
-            yield Fact(place, "answer confirmations", Fraction(case.confirmations))
-        for name in case.correlation:
-            yield Fact(place, "answer echo", name)
-        if case.result:
-            yield Fact(place, "answer result", case.result.success.name)
-        for number in case.errata:
-            yield Fact(place, "answer errata", number)
+def _answer(place: Place, case: AnswerCase) -> Iterator[Fact]:
+    if case.when:
+        yield from _condition(place, "answer condition", case.when)
+    yield from _plain(place, "answer", case, "messages errata")
+    if case.messages or case.confirm == "always":
+        times = f"timeout_ms {'finish_ms' if case.finish_ms else ''}"
+        yield from _plain(place, "answer timeout", case, times)
+    if case.confirmations > 1:
+        yield Fact(place, "answer confirmations", Fraction(case.confirmations))
+    for name in case.correlation:
+        yield Fact(place, "answer echo", name)
+    if case.result:
+        yield Fact(place, "answer result", case.result.success.name)
 
 
 def _leaf(message: Message, leaf: Leaf) -> Iterator[Fact]:
     place = Place("message", message.name, message.direction, leaf.path)
     field = leaf.field
-    yield Fact(place, "field", leaf.path, "field")
+    yield from _plain(place, "field", leaf, "path@field offset@offset")
     yield Fact(place, "field spec name", leaf.spec_name, "spec name", re.IGNORECASE)
-    if leaf.offset is not None:
-        yield Fact(place, "field offset", Fraction(leaf.offset), "offset")
     if field.type.kind != "announced":
         yield Fact(place, "field type", leaf.type, "type")
     if leaf.count not in (None, 1):
-        assert leaf.count is not None
-        yield Fact(place, "field count", Fraction(leaf.count), "type")
-    if field.summary:
-        yield Fact(place, "field summary", field.summary, "meaning")
+        yield from _plain(place, "field count", leaf, "count@type")
+    words = "summary@meaning counter@meaning variable@meaning"
+    yield from _plain(place, "field summary", field, words)
+    yield from _common(place, "field", field, "meaning")
     if isinstance(field.type, Quantity):
-        yield from _unit_of_field(place, field.type)
+        yield from _unit(place, "field", field.type, "unit")
     if field.directions is not None:
         positive = (leaf.direction and leaf.direction.positive) or "unknown"
         yield Fact(place, "field direction", positive)
@@ -284,42 +276,25 @@ def _leaf(message: Message, leaf: Leaf) -> Iterator[Fact]:
         if limit is not None:
             yield Fact(place, "field range", limit, "range")
     for special in field.special:
-        yield Fact(place, "field special value", Fraction(special.value), "meaning")
-        yield Fact(place, "field special meaning", special.meaning, "meaning")
-        if special.name:
-            yield Fact(place, "field special name", special.name, "meaning")
+        words = "value@meaning meaning@meaning name@meaning"
+        yield from _plain(place, "field special", special, words)
     if field.reserved:
         yield Fact(place, "field reserved", "reserved", "meaning", re.IGNORECASE)
-    if field.min_count and not field.index:
-        yield Fact(place, "field least elements", Fraction(field.min_count), "meaning")
-    if field.max_count is not None and not field.index:  # else each element has its own row
-        yield Fact(place, "field most elements", Fraction(field.max_count), "meaning")
+    if not field.index:  # else each element has its own row
+        counts = f"{'min_count@meaning' if field.min_count else ''} max_count@meaning"
+        yield from _plain(place, "field elements", field, counts)
     if field.align != 1:
         yield Fact(place, "field alignment", Fraction(field.align), "meaning")
-    if field.counter:
-        yield Fact(place, "field counter", field.counter, "meaning")
-        if field.counting != "elements":
-            word = {"bytes": "bytes", "minus_1": "minus 1", "bits": "each bit that is set"}
-            yield Fact(place, "field counting", word[field.counting], "meaning")
-    if field.variable:
-        yield Fact(place, "field variable", field.variable, "meaning")
+    if field.counter and field.counting != "elements":
+        word = {"bytes": "bytes", "minus_1": "minus 1", "bits": "each bit that is set"}
+        yield Fact(place, "field counting", word[field.counting], "meaning")
     if field.when:
         yield from _condition(place, "field condition", field.when, "meaning")
     if field.alternative:
-        yield Fact(place, "field other unit", field.alternative.flag.name, "meaning")
-        yield Fact(place, "field other unit", field.alternative.quantity.name, "meaning")
-    yield from _since(place, "field since", field.since, "meaning")
+        words = "flag.name@meaning quantity.name@meaning"
+        yield from _plain(place, "field other unit", field.alternative, words)
     yield from _before(place, field, message)
-    yield from _formerly(place, "field", field.aliases, "meaning")
-    yield from _unconfirmed(place, "field", field.unconfirmed, "meaning")
     yield from _default(place, field)
-    if field.deprecated:
-        yield Fact(place, "field deprecated", "deprecated", "meaning", re.IGNORECASE)
-        yield from _since(place, "field deprecated since", field.deprecated.since, "meaning")
-        if field.deprecated.replaced_by:
-            yield Fact(place, "field replaced by", field.deprecated.replaced_by, "meaning")
-    for number in field.errata:
-        yield Fact(place, "field errata", number, "meaning")
 
 
 def _before(place: Place, field: Field, message: Message) -> Iterator[Fact]:
@@ -341,60 +316,39 @@ def _default(place: Place, field: Field) -> Iterator[Fact]:
         yield Fact(place, kind, Fraction(word) if is_number else word, "meaning")
 
 
-def _unit_of_field(place: Place, quantity: Quantity) -> Iterator[Fact]:
-    yield Fact(place, "field quantity", quantity.name, "unit")
+def _unit(place: Place, kind: str, quantity: Quantity, column: str = "") -> Iterator[Fact]:
+    yield Fact(place, f"{kind} quantity", quantity.name, column)
     if quantity.unit:
-        yield Fact(place, "field unit", quantity.unit, "unit")
+        yield Fact(place, f"{kind} unit", quantity.unit, column)
     if quantity.scale != 1:
-        yield Fact(place, "field scale", quantity.scale, "unit")
-    if quantity.offset:
-        yield Fact(place, "field scale", quantity.offset, "unit")
+        yield Fact(place, f"{kind} scale", quantity.scale, column)
+    if quantity.offset and kind == "field":
+        yield Fact(place, f"{kind} scale", quantity.offset, column)
 
 
 def _enum(enum: Enum) -> Iterator[Fact]:
     place = Place("enum", enum.name)
-    yield Fact(place, "enum", enum.name)
-    yield Fact(place, "enum type", enum.scalar.name)
-    yield Fact(place, "enum summary", enum.summary)
-    yield Fact(place, "enum source", enum.source)
-    for number in enum.errata:
-        yield Fact(place, "enum errata", number)
+    yield from _plain(place, "enum", enum, "name scalar.name summary source errata")
     for value in enum.values:
         at = Place("enum", enum.name, hook=value.name)
-        yield Fact(at, "value", value.name, "name")
-        yield Fact(at, "value number", Fraction(value.value), "number")
-        yield Fact(at, "value summary", value.summary, "meaning")
-        yield from _since(at, "value since", value.since, "meaning")
-        yield from _formerly(at, "value", value.aliases, "meaning")
-        yield from _unconfirmed(at, "value", value.unconfirmed, "meaning")
+        yield from _plain(at, "value", value, "name@name value@number summary@meaning")
+        yield from _common(at, "value", value, "meaning")
         if value.former:
             yield from _since(at, "value changed", value.former.firmware, "meaning")
             yield Fact(at, "value changed", value.former.summary, "meaning")
-        for number in value.errata:
-            yield Fact(at, "value errata", number, "meaning")
 
 
 def _packed(packed: Packed) -> Iterator[Fact]:
     place = Place("packed", packed.name)
-    yield Fact(place, "packed", packed.name)
-    yield Fact(place, "packed type", packed.scalar.name)
-    yield Fact(place, "packed summary", packed.summary)
-    yield Fact(place, "packed source", packed.source)
+    yield from _plain(place, "packed", packed, "name scalar.name summary source errata")
     if packed.names:
         yield Fact(place, "packed names", packed.names.name)
-    for number in packed.errata:
-        yield Fact(place, "packed errata", number)
     for part in packed.parts:
-        yield Fact(place, "part", part.name)
-        yield Fact(place, "part summary", part.summary)
+        yield from _plain(place, "part", part, "name summary")
         if part.enum:
             yield Fact(place, "part enum", part.enum.name)
         if part.quantity:
-            yield Fact(place, "part quantity", part.quantity.name)
-            if part.quantity.unit:
-                yield Fact(place, "part unit", part.quantity.unit)
-            if part.quantity.scale != 1:
-                yield Fact(place, "part scale", part.quantity.scale)
+            yield from _unit(place, "part", part.quantity)
         if part.signed:
             yield Fact(place, "part signed", "in two's complement")
         if part.sign:
@@ -415,59 +369,28 @@ def _bits(place: Place, part: Part) -> Iterator[Fact]:
 
 def _quantity(quantity: Quantity) -> Iterator[Fact]:
     place = Place("unit", quantity.name)
-    yield Fact(place, "unit", quantity.name)
-    yield Fact(place, "unit type", quantity.scalar.name)
-    yield Fact(place, "unit summary", quantity.summary)
-    yield Fact(place, "unit scale", quantity.scale)
-    if quantity.unit:
-        yield Fact(place, "unit unit", quantity.unit)
+    yield from _plain(place, "unit", quantity, "name scalar.name summary scale unit errata")
     if quantity.offset and not quantity.ratio:
         yield Fact(place, "unit offset", quantity.offset)
-    for number in quantity.errata:
-        yield Fact(place, "unit errata", number)
 
 
-def _variables(layout: Layout) -> Iterator[Fact]:
-    for variable in layout.variables:
-        place = Place("variables", hook=variable.name)
-        yield Fact(place, "variable", variable.name, "name")
-        yield Fact(place, "variable id", Fraction(variable.id), "id")
-        yield Fact(place, "variable type", variable.scalar.name, "type")
-        yield Fact(place, "variable range", Fraction(variable.minimum), "range")
-        yield Fact(place, "variable range", Fraction(variable.maximum), "range")
-        yield Fact(place, "variable summary", variable.summary, "meaning")
-        if variable.quantity:
-            yield Fact(place, "variable unit", variable.quantity.name, "unit")
-        yield from _since(place, "variable since", variable.since, "meaning")
-        yield from _unconfirmed(place, "variable", variable.unconfirmed, "meaning")
-        for setting in variable.settings:
-            yield Fact(place, "variable setting", setting.path, "setting")
-            yield Fact(place, "variable setting", setting.message, "setting")
-        for number in variable.errata:
-            yield Fact(place, "variable errata", number, "meaning")
+def _variable(variable: Variable) -> Iterator[Fact]:
+    place = Place("variables", hook=variable.name)
+    words = "name@name id@id scalar.name@type minimum@range maximum@range summary@meaning"
+    yield from _plain(place, "variable", variable, words)
+    yield from _common(place, "variable", variable, "meaning")
+    if variable.quantity:
+        yield Fact(place, "variable unit", variable.quantity.name, "unit")
+    for setting in variable.settings:
+        yield from _plain(place, "variable setting", setting, "path@setting message@setting")
 
 
-def _errata(layout: Layout) -> Iterator[Fact]:
-    for erratum in layout.errata:
-        place = Place("errata", hook=erratum.number)
-        yield Fact(place, "erratum", erratum.number)
-        yield Fact(place, "erratum problem", erratum.problem)
-        yield Fact(place, "erratum reading", erratum.reading)
-        if erratum.reason:
-            yield Fact(place, "erratum reason", erratum.reason)
-        for line in erratum.lines:
-            yield Fact(place, "erratum line", line)
+def _erratum(erratum: Erratum) -> Iterator[Fact]:
+    words = "number problem reading reason lines"
+    yield from _plain(Place("errata", hook=erratum.number), "erratum", erratum, words)
 
 
-def _commands(layout: Layout) -> Iterator[Fact]:
-    for command in layout.commands:
-        place = Place("commands", hook=command.name)
-        yield Fact(place, "command", command.name)
-        if command.id is not None:
-            yield Fact(place, "command id", Fraction(command.id))
-        yield Fact(place, "command summary", command.summary)
-        yield from _since(place, "command since", command.since)
-        yield from _formerly(place, "command", command.aliases)
-        yield from _unconfirmed(place, "command", command.unconfirmed)
-        for number in command.errata:
-            yield Fact(place, "command errata", number)
+def _command(command: Command) -> Iterator[Fact]:
+    place = Place("commands", hook=command.name)
+    yield from _plain(place, "command", command, "name id summary")
+    yield from _common(place, "command", command)

@@ -11,7 +11,6 @@ from dataclasses import dataclass
 from math import hypot
 from itertools import takewhile
 from pathlib import Path
-from typing import Any
 
 import pytest
 
@@ -62,26 +61,6 @@ def message_pages(pages: Pages, layout: Layout) -> dict[str, Page]:
 
 
 # ---- the frames ----
-
-
-def test_frame_is_whole_and_is_the_first_vector(
-    message_pages: dict[str, Page], layout: Layout
-) -> None:
-    vectors: dict[tuple[str, str], Any] = {}
-    for path in sorted((PROJECT / "generated" / "vectors").glob("*.jsonl")):
-        for text in path.read_text(encoding="utf-8").splitlines():
-            vector = json.loads(text)
-            key = (vector.get("message"), vector["direction"])
-            vectors.setdefault(key, vector)
-    for message in layout.definitions:
-        frame = bytes.fromhex(shown_frame(message_pages[message.name]))
-        vector = vectors.get((message.name, "to_board")) or vectors[message.name, "from_board"]
-        body = bytes.fromhex(vector["hex"])
-        assert vector["why"] in ("typical values", "all zeros"), message.name
-        assert frame[0] == 0x3E and frame[1] == message.id and frame[2] == len(body)
-        assert frame[3] == (frame[1] + frame[2]) % 256
-        assert frame[4:-1] == body, message.name
-        assert frame[-1] == sum(body) % 256
 
 
 def test_rows_hold_the_bytes_of_the_frame(message_pages: dict[str, Page]) -> None:
@@ -316,21 +295,6 @@ def test_what_is_related_is_linked_once(pages: Pages, layout: Layout) -> None:
         links = [a.get("href") for a in section.all("a")]
         assert links and len(links) == len(set(links)), page.path
         assert f"../{page.path}" not in links
-    also = {
-        a.get("href")
-        for e in pages["messages/get-angles.html"].root.all("section")
-        if e.get("id") == "see-also"
-        for a in e.all("a")
-    }
-    assert "../messages/get-angles-request.html" in also, "what asks for it"
-    assert any(link.startswith("../guides/streams.html") for link in also), "a guide that names it"
-    also = {
-        a.get("href")
-        for e in pages["messages/write-params3.html"].root.all("section")
-        if e.get("id") == "see-also"
-        for a in e.all("a")
-    }
-    assert "../messages/read-params3.html" in also, "what reads the same parameters"
 
 
 def frames_of(text: str) -> list[list[str]]:
@@ -452,11 +416,3 @@ def test_examples_with_the_client(pages: Pages, layout: Layout, tmp_path: Path) 
 def hash_of(name: str) -> int:
     """A number that is the same in each run."""
     return sum(name.encode())
-
-
-def test_cpp_of_messages_to_the_board_encodes(pages: Pages, layout: Layout) -> None:
-    for message in layout.messages:
-        text = only(pages[f"messages/{slug(message.name)}.html"], "example-cpp").text
-        assert message.name in text
-        if message.direction == "to_board":
-            assert "encode_frame(message, frame)" in text, message.name

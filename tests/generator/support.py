@@ -28,7 +28,7 @@ commands:
 """
 
 
-def _indentation(line: str) -> int:
+def indentation(line: str) -> int:
     return len(line) - len(line.lstrip(" "))
 
 
@@ -38,7 +38,7 @@ def probe(lines: str) -> str:
     They replace the last line that is indented as the first of them, and what follows it.
     """
     before = BASE.splitlines(keepends=True)
-    while _indentation(before.pop()) != _indentation(lines):
+    while indentation(before.pop()) != indentation(lines):
         pass
     return "".join(before) + lines
 

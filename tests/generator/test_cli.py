@@ -46,24 +46,6 @@ def test_generate_then_check(root: Path, capsys: Capture) -> None:
     assert capsys.readouterr().out == f"{first[1]} files, 0 changed\n"
 
 
-def test_check_finds_drift_and_changes_nothing(root: Path, capsys: Capture) -> None:
-    run(root, "generate")
-    model = root / "generated" / "simplebgc.json"
-    model.write_text("{}")
-    capsys.readouterr()
-    assert run(root, "check") == 1
-    assert capsys.readouterr().err.startswith("simplebgc.json: differs\n")
-    assert model.read_text() == "{}"
-
-
-def test_check_finds_a_changed_spec(root: Path, capsys: Capture) -> None:
-    run(root, "generate")
-    base = root / "spec" / "base.yaml"
-    base.write_text(base.read_text().replace("How often", "How many times"))
-    assert run(root, "check") == 1
-    assert "differs" in capsys.readouterr().err
-
-
 def test_findings_are_counted_and_nothing_is_written(root: Path, capsys: Capture) -> None:
     write_spec(root, "family: prob\nsumary: x\n")
     for command in ("lint", "check", "generate"):
@@ -91,26 +73,12 @@ def test_depfile_without_stamp_is_wrong_usage(root: Path, capsys: Capture) -> No
     assert "--depfile needs --stamp" in capsys.readouterr().err
 
 
-def test_help(capsys: Capture) -> None:
-    for arguments in (["--help"], ["generate", "--help"]):
-        with pytest.raises(SystemExit) as stopped:
-            main(arguments)
-        assert stopped.value.code == 0
-    assert "--depfile" in capsys.readouterr().out
-
-
 def test_output_that_cannot_be_written(root: Path, capsys: Capture) -> None:
     (root / "file").write_text("not a folder")
     assert run(root, "generate", "--output", root / "file") == 1
     message = capsys.readouterr().err
     assert message.startswith(f"cannot write {root}/file")
     assert len(message.splitlines()) == 1
-
-
-def test_output_folder_with_other_files(root: Path, capsys: Capture) -> None:
-    assert run(root, "generate", "--output", root) == 1
-    assert "it holds other files" in capsys.readouterr().err
-    assert (root / "spec" / "base.yaml").is_file()
 
 
 def depfile_of(text: str) -> tuple[str, list[str]]:

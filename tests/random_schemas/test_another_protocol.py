@@ -28,14 +28,22 @@ def blocks(language: str) -> list[str]:
     return re.findall(rf"^```{re.escape(language)}\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
 
 
+def write_spec(folder: Path, size: int = 60, more: str = "") -> Path:
+    """Writes the spec of the guide, with another largest body, or with more in its family."""
+    main_file, lights = blocks("yaml")
+    spec = folder / "spec"
+    spec.mkdir()
+    main_file = main_file.replace("max_body: 60", f"max_body: {size}")
+    for name, text in (("lamp", main_file), ("lights", lights + more)):
+        (spec / f"{name}.yaml").write_text(text, encoding="utf-8")
+    return spec
+
+
 @pytest.fixture(scope="module", name="lamp")
 def made_by_the_guide(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The folder of the guide, after its commands."""
     folder = tmp_path_factory.mktemp("lamp")
-    (folder / "spec").mkdir()
-    main_file, lights = blocks("yaml")
-    for name, text in (("lamp", main_file), ("lights", lights)):
-        (folder / "spec" / f"{name}.yaml").write_text(text, encoding="utf-8")
+    write_spec(folder)
     (commands,) = blocks("sh")
     for command in commands.splitlines():
         words = shlex.split(command.replace("~/lamp", str(folder)))
@@ -101,21 +109,15 @@ def test_cpp_and_reference_codec_agree(lamp: Path) -> None:
 @pytest.mark.parametrize("size", [4, 6, 11])
 def test_bodies_may_be_short(tmp_path: Path, size: int) -> None:
     """No frame fits into such a body; there are vectors for all else."""
-    main_file, lights = blocks("yaml")
-    (tmp_path / "spec").mkdir()
-    main_file = main_file.replace("max_body: 60", f"max_body: {size}")
-    for name, text in (("lamp", main_file), ("lights", lights)):
-        (tmp_path / "spec" / f"{name}.yaml").write_text(text, encoding="utf-8")
-    found = outputs(load_protocol(tmp_path / "spec").layout, tmp_path)
+    found = outputs(load_protocol(write_spec(tmp_path, size)).layout, tmp_path)
     frames = found["frames.jsonl"].decode()
     assert f"a body of {size} bytes" in frames and f"a body of {size + 1} bytes" not in frames
 
 
 def test_examples_with_a_part_that_has_a_unit_compile(tmp_path: Path) -> None:
     """As the pages of the site show them."""
-    main_file, lights = blocks("yaml")
     fields = "[{name: HEAD, type: Head, typical: 300, summary: The head.}]"
-    lights += f"""
+    more = f"""
   LAMP_POSE:
     id: 9
     summary: The head.
@@ -133,10 +135,7 @@ packed:
       - {{name: tilt, bits: 0..8, type: Tilt, summary: Its angle.}}
       - {{name: turns, bits: 9..15, summary: Number of turns.}}
 """
-    (tmp_path / "spec").mkdir()
-    for name, text in (("lamp", main_file), ("lights", lights)):
-        (tmp_path / "spec" / f"{name}.yaml").write_text(text, encoding="utf-8")
-    layout = load_protocol(tmp_path / "spec").layout
+    layout = load_protocol(write_spec(tmp_path, more=more)).layout
     Output(tmp_path / "generated", outputs(layout, tmp_path)).write()
     folders = (tmp_path / "generated/include", *ROOT.glob("runtime/*/include"))
     command = [

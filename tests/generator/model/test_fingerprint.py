@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 
 import pytest
 
 from sbgcgen.build import load_layout
 from sbgcgen.model.export import export
-from support import PROJECT, layout_of
+from support import layout_of
 
 PROBE = """\
 family: probe
@@ -104,8 +103,3 @@ def test_the_shared_facts_have_an_effect(tmp_path: Path) -> None:
 
 def fingerprint_of_spec(spec: Path) -> str:
     return str(export(load_layout(spec))["fingerprint"])
-
-
-def test_the_committed_model_has_its_fingerprint() -> None:
-    committed = json.loads((PROJECT / "generated" / "simplebgc.json").read_text(encoding="utf-8"))
-    assert committed["fingerprint"] == fingerprint_of_spec(PROJECT / "spec")

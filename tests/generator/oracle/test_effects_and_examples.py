@@ -1,4 +1,4 @@
-"""Tests of effects, typical values, examples and the history, from YAML to the model."""
+"""Tests of the words for effects, of examples that change what was read, and of the history."""
 
 from __future__ import annotations
 
@@ -11,50 +11,11 @@ from sbgcgen.build import load_protocol
 from sbgcgen.model import USUAL_EFFECTS
 from sbgcgen.model.export import export
 from sbgcgen.oracle.example import example_of
-from sbgcgen.oracle.vectors import typical_vector, vectors_of
+from sbgcgen.oracle.vectors import typical_vector
 from sbgcgen.targets import codes_of
 from sbgcgen.views.history import Revisions
 from support import GENERATOR, PROJECT, layout_of, message_of, write_spec
 
-PROBE = """\
-family: probe
-summary: Requests.
-
-packed:
-  Setup:
-    type: u8
-    summary: Two things in one byte.
-    source: L22
-    parts:
-      - {name: mode, bits: 0..3, type: Mode, summary: What to do.}
-      - {name: level, bits: 4..6, summary: How much.}
-
-commands:
-  CMD_MOVE:
-    id: 20
-    summary: Move.
-    to_board:
-      source: L1
-      effect:
-        - {when: {field: MODE, is: MODE_ON}, does: [stores, moves]}
-        - {does: reads}
-      answer: none
-      example: {axes.pitch.angle: -10, list: LIST}
-      fields:
-        - {name: MODE, type: Mode, typical: MODE_ON, summary: What to do.}
-        - {name: OPTIONS, type: Options, typical: [OPTION_FAST, OPTION_FINE], summary: How.}
-        - {name: SETUP, type: Setup, typical: {mode: MODE_ON, level: 5}, summary: How.}
-        - name: "axes[axis]"
-          struct: Axis
-          summary: Axes.
-          fields:
-            - {name: SPEED, type: Speed, typical: 12.5, summary: How fast.}
-            - {name: ANGLE, type: Angle, typical: 0, summary: Where.}
-        - {name: "OFFSET[xyz]", type: i8, typical: [1, -2, 3], summary: Three numbers.}
-        - {name: KEY, type: "bytes[4]", typical: "beef", summary: A key.}
-        - {name: NUM, type: u8, summary: How many.}
-        - {name: "list[NUM]", type: Pair, summary: Pairs.}
-"""
 SETTINGS = """\
 family: probe
 summary: Settings.
@@ -96,40 +57,6 @@ commands:
 
 def typical_fields(layout: Any, name: str) -> Any:
     return typical_vector(message_of(layout, name)).fields
-
-
-def test_effect_by_case_and_as_a_whole(tmp_path: Path) -> None:
-    layout = layout_of(tmp_path, PROBE.replace("LIST", "[{first: 7}]"))
-    effect = message_of(layout, "Move").effect
-    assert effect is not None
-    assert effect.words == ("stores", "moves")
-    assert [case.words for case in effect.cases] == [("stores", "moves"), ("reads",)]
-    exported = next(m for m in export(layout)["messages"] if m["name"] == "Move")
-    assert exported["effect"]["does"] == ["stores", "moves"]
-    assert exported["effect"]["cases"][0]["when"]["is"] == ["MODE_ON"]
-    assert next(m for m in export(layout)["messages"] if m["name"] == "Ping")["effect"] is None
-
-
-def test_typical_values_are_written_as_people_say_them(tmp_path: Path) -> None:
-    layout = layout_of(tmp_path, PROBE.replace("LIST", "[{first: 7}, {second: 9}]"))
-    fields = typical_fields(layout, "Move")
-    assert fields["mode"] == 1 and fields["options"] == 0x81 and fields["setup"] == 0x51
-    assert fields["axes"]["roll"] == {"speed": 125, "angle": 0}
-    assert fields["axes"]["pitch"] == {"speed": 125, "angle": -455}
-    assert fields["offset"] == {"x": 1, "y": -2, "z": 3}
-    assert fields["key"] == "beef0000"
-    assert fields["num"] == 2
-    assert fields["list"][0]["first"] == 7 and fields["list"][1]["second"] == 9
-    leaves = {leaf["path"]: leaf for leaf in export(layout)["messages"][-1]["layout"]}
-    assert leaves["offset.y"]["typical"] == -2
-    assert leaves["axes.yaw.speed"]["typical"] == 125
-
-
-def test_vectors_still_go_to_the_edges(tmp_path: Path) -> None:
-    layout = layout_of(tmp_path, PROBE.replace("LIST", "[{first: 7}]"))
-    bodies = [v.fields for v in vectors_of(message_of(layout, "Move")) if v.fields]
-    speeds = {fields["axes"]["roll"]["speed"] for fields in bodies}
-    assert {-32768, 32767, 0, 125} <= speeds
 
 
 def test_what_is_written_is_what_was_read_but_for_the_example(tmp_path: Path) -> None:

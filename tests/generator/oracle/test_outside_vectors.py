@@ -1,4 +1,4 @@
-"""Byte sequences from public sources (tests/data/vectors.json), by the reference codec."""
+"""Byte sequences from public sources and from the vendor's code of 2026, by the reference codec."""
 
 from __future__ import annotations
 
@@ -11,13 +11,26 @@ from sbgcgen.model import Layout
 from sbgcgen.oracle.codec import CodecError, Fields
 from sbgcgen.oracle.decoding import decode
 from sbgcgen.oracle.encoding import encode
-from sbgcgen.oracle.frames import choose_message, forms_of, read_frames
+from sbgcgen.oracle.frames import choose_message, forms_of, read_frames, write_frame
 from support import PROJECT, project_layout
 
-VECTORS: list[dict[str, Any]] = json.loads(
-    (PROJECT / "tests" / "data" / "vectors.json").read_text(encoding="utf-8")
-)
-NAMES = [f"{number}-{vector['meaning'][:40]}" for number, vector in enumerate(VECTORS)]
+Vector = dict[str, Any]
+
+
+def vectors_of(name: str) -> list[Vector]:
+    text = (PROJECT / "tests/data" / f"{name}.json").read_text(encoding="utf-8")
+    found: list[Vector] = json.loads(text)
+    return found
+
+
+VECTORS = vectors_of("vectors")
+FRAMES = vectors_of("v2_frames")
+VENDOR = vectors_of("vendor_2026")
+HEADER, TRAILER = 4, 2
+
+
+def meaning_of(vector: Vector) -> str:
+    return str(vector["meaning"])
 
 
 @pytest.fixture(scope="module")
@@ -50,8 +63,8 @@ def values_named(layout: Layout, id_: int, direction: str, body: bytes, name: st
     return found
 
 
-@pytest.mark.parametrize("vector", VECTORS, ids=NAMES)
-def test_the_reference_codec_agrees(vector: dict[str, Any], layout: Layout) -> None:
+@pytest.mark.parametrize("vector", VECTORS, ids=meaning_of)
+def test_the_reference_codec_agrees(vector: Vector, layout: Layout) -> None:
     data = bytes.fromhex(vector["hex"])
     direction = vector["direction"]
     if vector["kind"] == "payload":
@@ -68,3 +81,48 @@ def test_the_reference_codec_agrees(vector: dict[str, Any], layout: Layout) -> N
         assert encode(message, fields) == body
         for name, value in vector.get("fields", {}).items():
             assert values_named(layout, id_, direction, body, name) == values_of(value), name
+
+
+@pytest.mark.parametrize("frame", VENDOR, ids=meaning_of)
+def test_the_body_of_the_vendor_decodes(frame: Vector, layout: Layout) -> None:
+    (found,) = read_frames(layout.framings, bytes.fromhex(frame["hex"]))
+    message = choose_message(forms_of(layout), frame["direction"], found.id, len(found.body))
+    fields = decode(message, found.body)
+    assert encode(message, fields) == found.body
+    assert "tail" not in fields
+    for leaf in message.leaves:
+        expected = frame["fields"].get(leaf.spec_name)
+        if leaf.path in fields and type(expected) in (int, float):
+            assert fields[leaf.path] == expected, leaf.path
+
+
+def crc16(data: bytes) -> int:
+    """A CRC-16, bit by bit: polynomial 0x8005, initially 0, bits of each byte from the lowest."""
+    register = 0
+    for byte in data:
+        for bit in range(8):
+            top = register >> 15 ^ byte >> bit & 1
+            register = register << 1 & 0xFFFF ^ (0x8005 if top else 0)
+    return register
+
+
+@pytest.mark.parametrize("frame", FRAMES, ids=meaning_of)
+def test_a_frame_of_v2_and_its_body(frame: Vector, layout: Layout) -> None:
+    data = bytes.fromhex(frame["hex"])
+    start, id_, size, check = data[:HEADER]
+    body = data[HEADER:-TRAILER]
+    assert (start, check, len(body)) == (ord("$"), (id_ + size) % 256, size)
+    assert int.from_bytes(data[-TRAILER:], "little") == crc16(data[1:-TRAILER])
+    message = choose_message(forms_of(layout), frame["direction"], id_, size)
+    assert message.command == frame["command"]
+    assert decode(message, body) == frame["fields"]
+    assert encode(message, frame["fields"]) == body
+    framing = next(f for f in layout.framings if f.start == start)
+    assert write_frame(framing, id_, body) == data
+    (found,) = read_frames(layout.framings, b"\x24" + data + b"\x00")
+    assert (found.offset, found.id, found.body) == (1, id_, body)
+    for at in range(1, len(data)):
+        for bit in range(8):
+            damaged = bytearray(data)
+            damaged[at] ^= 1 << bit
+            assert not list(read_frames([framing], bytes(damaged))), f"bit {bit} of byte {at}"

@@ -130,75 +130,6 @@ def test_a_body_decodes_by_the_model(layout: Layout) -> None:
     assert encode(probe, fields) == body
 
 
-def test_what_may_be_missing_is_there_if_it_fits(layout: Layout) -> None:
-    probe = message_of(layout, "Probe")
-    start = bytes.fromhex("02 0000 0000 0000")
-    whole = start + bytes.fromhex("0000803f 00000000 00")
-    assert decode(probe, whole)["large_one"] == 1.0
-    assert encode(probe, decode(probe, whole)) == whole
-
-
-@pytest.mark.parametrize(
-    ("body", "code", "field", "offset"),
-    [
-        ("", "too_short", "kind", 0),
-        ("01 0100", "too_short", "angle", 3),
-        ("01 010002000300 34", "too_short", "small_one", 8),
-        ("01 010002000300 3412 00000000 02 0500 fa", "too_short", "values", 17),
-        ("01 010002000300 3412 00000000 ff 0500 fa", "too_short", "values", 14),
-    ],
-)
-def test_decoding_says_what_is_wrong(
-    layout: Layout, body: str, code: str, field: str, offset: int
-) -> None:
-    with pytest.raises(CodecError) as caught:
-        decode(message_of(layout, "Probe"), bytes.fromhex(body))
-    error = caught.value
-    assert (error.code, error.field, error.offset) == (code, field, offset)
-
-
-GOOD = {
-    "kind": 1,
-    "angle": {"roll": 1, "pitch": 2, "yaw": 3},
-    "small_one": 4,
-    "name": "ABCD",
-    "num": 1,
-    "values": [5],
-}
-
-
-@pytest.mark.parametrize(
-    ("change", "code", "field"),
-    [
-        ({"kind": 256}, "value_out_of_range", "kind"),
-        ({"kind": 3}, "presence_mismatch", "small_one"),
-        ({"small_one": None}, "presence_mismatch", "small_one"),
-        ({"angle": {"roll": 1, "pitch": 40000, "yaw": 0}}, "value_out_of_range", "angle"),
-        ({"angle": {"roll": 1}}, "presence_mismatch", "angle"),
-        ({"name": "ABCDE"}, "text_too_long", "name"),
-        ({"num": 2}, "count_mismatch", "num"),
-        ({"values": None}, "presence_mismatch", "values"),
-        ({"name": None}, "presence_mismatch", "name"),
-        ({"nam": ""}, "presence_mismatch", "nam"),
-        ({"tail": "00" * 240}, "buffer_too_small", "tail"),
-    ],
-)
-def test_encoding_says_what_is_wrong(layout: Layout, change: Line, code: str, field: str) -> None:
-    fields = {k: v for k, v in {**GOOD, **change}.items() if v is not None}
-    with pytest.raises(CodecError) as caught:
-        encode(message_of(layout, "Probe"), fields)
-    assert (caught.value.code, caught.value.field) == (code, field)
-
-
-def test_the_form_follows_from_the_size(layout: Layout) -> None:
-    forms = forms_of(layout)
-    assert choose_message(forms, "to_board", 9, 0).form == "simple"
-    assert choose_message(forms, "to_board", 9, 7).form == "extended"
-    assert choose_message(forms, "from_board", 9, 200).form is None
-    with pytest.raises(CodecError, match="unknown_command"):
-        choose_message(forms, "to_board", 10, 0)
-
-
 def test_floats_and_texts_lose_nothing() -> None:
     for bits in (0, 0x80000000, 1, 0x3F800000, 0x7F800000, 0xFF800000, 0x7FC00000, 0x7F800001):
         assert float_to_bits(float_from_bits(bits)) == bits
@@ -264,16 +195,6 @@ def test_crc(name: str) -> None:
     assert crc.value(b"123456789") == check
 
 
-def test_the_start_byte_says_which_framing_applies() -> None:
-    v1, v2 = project_layout().framings
-    frames = [write_frame(framing, 77, b"") for framing in (v1, v2)]
-    assert frames[1] == bytes.fromhex("24 4d 00 4d 44 0a")
-    stream = frames[0] + frames[1] + b"\x24" + frames[0][1:] + frames[1]
-    found = [(it.offset, it.framing.name) for it in read_frames([v1, v2], stream)]
-    assert found == [(0, "v1"), (5, "v2"), (16, "v2")]
-    assert [it.offset for it in read_frames([v1], stream)] == [0]
-
-
 # The vectors
 
 
@@ -303,10 +224,9 @@ def test_vectors_hold_both_ways() -> None:
             }
 
 
-def test_vectors_are_small_and_always_the_same() -> None:
-    first, second = (dict(target("vectors").files(project_layout(), PROJECT)) for _ in range(2))
-    assert first == second
-    assert sum(map(len, first.values())) < 3_400_000
+def test_vectors_are_small() -> None:
+    files = dict(target("vectors").files(project_layout(), PROJECT))
+    assert sum(map(len, files.values())) < 3_400_000
 
 
 # The ratchet

@@ -9,7 +9,8 @@ of `probe.yaml` that differ from BASE (see support.probe). A caret marks the pla
 
 A finding of another rule has its code, `^ SBGC004 ...`; one in another file has its position,
 `@ base.yaml:6:17 ...`. `== NAME: FILE` has sections of another file; they replace those of the file in
-`minimal/`. `== NAME: whole FILE` has all of a file.
+`minimal/`. `== NAME: whole FILE` has all of a file. `== NAME + OTHER` follows the lines of OTHER, which is another
+spec of the rule, or one of the `bases`; with `<` it replaces their last line of its indentation, and what follows.
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ import pytest
 
 from sbgcgen.cli import main
 from sbgcgen.model import Position
-from support import GENERATOR, HERE, PROBE, findings, probe, write_spec
+from support import GENERATOR, HERE, PROBE, findings, indentation, probe, write_spec
 
 _FOUND = re.compile(r"( *)(?:\^|@ (.+):(\d+):(\d+)) (?:(SBGC\d{3}) )?(.+) \| (.+)\n")
 
@@ -55,12 +56,31 @@ def _whole(base: str, lines: str) -> str:
     return lines
 
 
-def read(section: str) -> Iterator[Fixture]:
-    """The fixtures of a rule."""
+Lines = dict[
+    str, tuple[str, list[str]]
+]  # by the name of a spec: its file, and lines without findings
+
+
+def _before(other: list[str], how: str, lines: str) -> list[str]:
+    """The lines of another spec that stand before those of a fixture."""
+    before = list(other)
+    while how == "<" and indentation(before[-1]) > indentation(lines):
+        before.pop()
+    return before[:-1] if how == "<" and indentation(before[-1]) == indentation(lines) else before
+
+
+def read(section: str, known: Lines) -> Iterator[Fixture]:
+    """The fixtures of a rule; `known` are the bases."""
     rule, specs = section.split("\n", 1)
     for part in re.split("(?m)^== ", specs)[1:]:
         head, lines = part.split("\n", 1)
-        name, _, base = head.partition(": ")
+        start, _, base = head.partition(": ")
+        name, how, other = (*start.split(" "), "", "")[:3]
+        if other:
+            base, before = known[other]
+            lines = "".join(_before(before, how, lines)) + lines
+        own = [line for line in lines.splitlines(keepends=True) if not _FOUND.match(line)]
+        known[name] = (base, own)
         file = base.split(" ")[-1] or PROBE
         text: list[str] = []
         expected = []
@@ -70,8 +90,8 @@ def read(section: str) -> Iterator[Fixture]:
                 assert not line.lstrip().startswith("^"), f"{rule}: malformed: {line}"
                 text.append(line)
                 continue
-            indentation, other, row, column, code, message, hint = found.groups()
-            at = Position(f"spec/{file}", len(text), len(indentation) + 1)
+            indented, other, row, column, code, message, hint = found.groups()
+            at = Position(f"spec/{file}", len(text), len(indented) + 1)
             if other:
                 at = Position(f"spec/{other}", int(row), int(column))
             expected.append((at, code or rule, message, hint))
@@ -80,7 +100,10 @@ def read(section: str) -> Iterator[Fixture]:
 
 
 _TEXT = (HERE / "spec" / "broken_specs.txt").read_text(encoding="utf-8")
-FIXTURES = [f for section in re.split("(?m)^=== ", _TEXT)[1:] for f in read(section)]
+_SECTIONS = re.split("(?m)^=== ", _TEXT)[1:]
+_BASES: Lines = {}
+list(read(_SECTIONS[0], _BASES))
+FIXTURES = [f for section in _SECTIONS[1:] for f in read(section, dict(_BASES))]
 
 
 @pytest.mark.parametrize("fixture", FIXTURES, ids=lambda f: f"{f.rule}_{f.name}")

@@ -71,22 +71,6 @@ def made(tmp_path: Path) -> Layout:
     return layout_of(tmp_path, PROBE)
 
 
-def test_versions_by_release(layout: Layout) -> None:
-    history = History(layout)
-    assert [(r.text, [n.text for n in r.news]) for r in history.releases] == [
-        ("2.60", ["2.60", "2.60b3"]),
-        ("2.70", ["2.70"]),
-    ]
-    assert [news.text for news in history.of_boards] == ["3.0"]
-
-
-def test_choices_include_each_release_and_version(layout: Layout) -> None:
-    assert History(layout).choices == [
-        ("2.60", [(2600, "2.60"), (2603, "2.60b3")]),
-        ("2.70", [(2700, "2.70")]),
-    ]
-
-
 def test_news_of_a_firmware(layout: Layout) -> None:
     first, beta, last = History(layout).of_firmware
     assert [value.name for _, value in first.changed] == ["DIM"]
@@ -100,10 +84,3 @@ def test_news_of_a_firmware(layout: Layout) -> None:
     assert [variable.name for variable in last.variables] == ["DIMMER"]
     assert [row.path for _, row in last.deprecated] == ["id"]
     assert last.fields == [], "a field is not newer than its message"
-
-
-def test_news_of_a_board(layout: Layout) -> None:
-    (board,) = History(layout).of_boards
-    assert [command.name for command in board.commands] == ["CMD_OLD"]
-    assert [message.name for message in board.messages] == ["Old", "OldRequest"]
-    assert board.forms == []
