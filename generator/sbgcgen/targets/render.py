@@ -69,6 +69,9 @@ def render(target: Target, layout: Layout, project: Path) -> Iterator[tuple[str,
     """
     view = target.view(layout, project)
     made = environment(target)
+    # Imported templates keep the names that they were loaded with, such as another layout.
+    if made.cache is not None:
+        made.cache.clear()
     made.globals.update(layout=layout, **view.names)
     made.filters.update(view.filters)
     made.tests.update(view.tests)
