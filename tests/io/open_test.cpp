@@ -1,18 +1,9 @@
 // Tests of address strings: their meaning, and the errors for malformed ones.
 
-#include <string>
-
-#include <asio/io_context.hpp>
-#include <gmock/gmock.h>
-
-#include <sbgc/io/open.hpp>
-
 #include "support.hpp"
 
 namespace sbgc::io::test {
 namespace {
-
-using testing::HasSubstr;
 
 Address parsed(std::string_view text) {
   const AddressResult result = parse_address(text);
