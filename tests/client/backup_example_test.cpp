@@ -1,17 +1,10 @@
 // Tests examples/backup.cpp as a user runs it: over a serial port, here a pseudo-terminal.
 
-#include <filesystem>
-#include <fstream>
-#include <string>
-
 #include "run_program.hpp"
 #include "task_test.hpp"
-#include "temporary_folder.hpp"
 
 namespace sbgc::test {
 namespace {
-
-using ::testing::HasSubstr;
 
 class BackupExample : public TaskTest {
  protected:

@@ -1,10 +1,6 @@
 // Tests of damage that passes the sums of the first framing: it must not lead to a wrong value on
 // the board, in a backup, or in a report.
 
-#include <cstddef>
-#include <cstdint>
-#include <vector>
-
 #include <sbgc/client/backup.hpp>
 #include <sbgc/client/memory.hpp>
 #include <sbgc/client/profiles.hpp>
@@ -15,8 +11,6 @@
 
 namespace sbgc::test {
 namespace {
-
-using ::testing::HasSubstr;
 
 class DamagedLine : public TaskTest {
  protected:
@@ -62,8 +56,7 @@ class DamagedLine : public TaskTest {
 TEST_F(DamagedLine, NoWrongValueIsInABackup) {
   static_cast<void>(client());
   damage_next<msg::ReadParams3>(20);
-  const auto backup = client().make_backup();
-  ASSERT_TRUE(backup) << backup.error().message;
+  const auto backup = checked(client().make_backup());
   EXPECT_TRUE(is_damaged);
   for (std::uint8_t profile = 0; profile < 5; ++profile) {
     EXPECT_EQ(*backup->parameters.get<msg::ReadParams3>(profile),
@@ -101,21 +94,18 @@ TEST_F(DamagedLine, RenamingAProfileKeepsTheOtherNames) {
 }
 
 TEST_F(DamagedLine, APartlyWrittenPageKeepsItsOtherBytes) {
-  const auto before = client().download_eeprom(0, 128);
-  ASSERT_TRUE(before) << before.error().message;
+  const auto before = checked(client().download_eeprom(0, 128));
   damage_next<msg::EepromRead>(40);
   ASSERT_TRUE(client().upload_eeprom(8, {1, 2, 3}));
   EXPECT_TRUE(is_damaged);
   auto expected = *before;
   for (std::uint8_t i = 0; i < 3; ++i) expected[8U + i] = static_cast<std::uint8_t>(i + 1);
-  const auto after = client().download_eeprom(0, 128);
-  ASSERT_TRUE(after);
+  const auto after = checked(client().download_eeprom(0, 128));
   EXPECT_EQ(*after, expected);
 }
 
 TEST_F(DamagedLine, UserDataKeepTheirOtherBytes) {
-  const auto before = client().download_user_data();
-  ASSERT_TRUE(before);
+  const auto before = checked(client().download_user_data());
   damage_next<msg::ReadExternalData>(50);
   ASSERT_TRUE(client().upload_user_data(3, {9}));
   EXPECT_TRUE(is_damaged);
@@ -167,9 +157,7 @@ TEST_F(DamagedLine, AVariableThatIsNeverSetIsAMismatch) {
     other.params.push_back({msg::VariableId::p_roll, 99});
     board.write(other);
   });
-  const auto set = client().set_variable("P_ROLL", 12);
-  ASSERT_FALSE(set);
-  EXPECT_EQ(set.error().code, ErrorCode::mismatch);
+  EXPECT_THAT(client().set_variable("P_ROLL", 12), fails(ErrorCode::mismatch));
   EXPECT_EQ(count<msg::SetAdjVarsVal>(), 2U);
 }
 
@@ -180,10 +168,8 @@ TEST_F(DamagedLine, ALineThatDamagesEveryAnswerIsReported) {
       if (is<msg::ReadParams3>(one)) damage(one, 20, ++by);
     }
   });
-  const auto read = client().read_parameters();
-  ASSERT_FALSE(read);
-  EXPECT_EQ(read.error().code, ErrorCode::mismatch);
-  EXPECT_THAT(read.error().message, HasSubstr("ReadParams3 of profile 1: 6 answers"));
+  EXPECT_THAT(client().read_parameters(),
+              fails(ErrorCode::mismatch, "ReadParams3 of profile 1: 6 answers"));
 }
 
 TEST_F(DamagedLine, ParametersAreReadTwiceOnlyIfTheFramingHasOnlySums) {

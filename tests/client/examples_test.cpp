@@ -1,25 +1,12 @@
 // Tests the examples as a user runs them: over a serial port, here a pseudo-terminal.
 
-#include <string>
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <sbgc/io/pseudo_terminal.hpp>
-#include <sbgc/messages.hpp>
 
-#include "collector.hpp"
 #include "run_program.hpp"
-#include "scripted_board.hpp"
+#include "testing.hpp"
 
 namespace sbgc::test {
 namespace {
-
-using ::testing::AllOf;
-using ::testing::Contains;
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
 /// A gimbal that moves to its target immediately.
 class Examples : public ::testing::Test {

@@ -1,9 +1,3 @@
-#include <condition_variable>
-#include <future>
-#include <mutex>
-#include <thread>
-#include <utility>
-#include <vector>
 
 #include <sbgc/client/speed_control.hpp>
 
@@ -15,7 +9,6 @@ namespace sbgc::test {
 namespace {
 
 using detail::DeadMansSwitch;
-using std::chrono::milliseconds;
 using Action = DeadMansSwitch::Action;
 using State = SpeedControl::State;
 
@@ -159,9 +152,7 @@ class SpeedControlTest : public TaskTest {
     });
   }
   /// Without a bound, the commands are the speeds of the owner.
-  SpeedControlOptions options() {
-    return {milliseconds(500), milliseconds(100), clock, MotionBound::none};
-  }
+  SpeedControlOptions options() { return {Ms(500), Ms(100), clock, MotionBound::none}; }
 
   /// Waits until `n` commands have arrived; returns the yaw speeds of all commands.
   std::vector<int> commands(std::size_t n) {
@@ -196,19 +187,19 @@ TEST_F(SpeedControlTest, TurnsStopsWhenSilentAndTurnsAgain) {
   EXPECT_EQ(commands(1), std::vector<int>({100}));
   EXPECT_EQ(control.state(), State::turning);
 
-  clock.advance(milliseconds(100));
+  clock.advance(Ms(100));
   EXPECT_EQ(commands(2), std::vector<int>({100, 100}));
-  clock.advance(milliseconds(399));
+  clock.advance(Ms(399));
   ASSERT_TRUE(control.wait());
   EXPECT_EQ(control.state(), State::turning);
-  clock.advance(milliseconds(1));
+  clock.advance(Ms(1));
   ASSERT_TRUE(control.wait());
   EXPECT_EQ(control.state(), State::silenced);
   EXPECT_EQ(without_repeated_stops(commands(4)), std::vector<int>({100, 100, 100, 0}));
   EXPECT_EQ(control.refresh().error().code, ErrorCode::cancelled);
 
   ASSERT_TRUE(control.set({.yaw = msg::ControlSpeed(-50)}));
-  clock.advance(milliseconds(20));  // the minimum interval of commands
+  clock.advance(Ms(20));  // the minimum interval of commands
   EXPECT_TRUE(turns_with(-50));
 }
 
@@ -223,7 +214,7 @@ TEST_F(SpeedControlTest, StopsWhenAsked) {
   EXPECT_EQ(control.state(), State::idle);
   EXPECT_FALSE(control.has_settled()) << "the camera turns";
   board.on_lost({});
-  clock.advance(milliseconds(100));
+  clock.advance(Ms(100));
   ASSERT_TRUE(control.wait());
   EXPECT_TRUE(control.has_settled());
   EXPECT_EQ(without_repeated_stops(commands(2)), std::vector<int>({100, 0}));
@@ -290,7 +281,7 @@ TEST_F(SpeedControlTest, ALostLineIsAnErrorOfTheNextCall) {
   ASSERT_TRUE(control.wait());
   client().close();
   static_cast<void>(control.set({.yaw = msg::ControlSpeed(50)}));
-  clock.advance(milliseconds(100));
+  clock.advance(Ms(100));
   EXPECT_EQ(control.wait().error().code, ErrorCode::not_connected);
   EXPECT_EQ(control.set({.yaw = msg::ControlSpeed(50)}).error().code, ErrorCode::not_connected);
   EXPECT_EQ(control.state(), State::failed);
@@ -311,7 +302,7 @@ TEST_F(SpeedControlTest, ARefusalIsAnErrorOfTheNextCall) {
   ASSERT_TRUE(control.wait());
   EXPECT_EQ(commands(1), std::vector<int>({100}));
   ASSERT_TRUE(client().call(msg::GetAnglesRequest{}));  // all earlier frames are handled now
-  clock.advance(milliseconds(100));
+  clock.advance(Ms(100));
   EXPECT_EQ(control.wait().error().message, "CMD_CONTROL: the board refused: NOT_SUPPORTED");
   EXPECT_EQ(control.state(), State::failed);
 }
@@ -327,7 +318,7 @@ TEST_F(SpeedControlTest, ARestartEndsTheMotion) {
   });
   static_cast<void>(client().call(msg::GetAnglesRequest{}));
   ASSERT_TRUE(client().call(msg::GetAnglesRequest{}));  // all earlier frames are handled now
-  clock.advance(milliseconds(100));
+  clock.advance(Ms(100));
   EXPECT_EQ(control.wait().error().code, ErrorCode::board_reset);
   EXPECT_EQ(control.state(), State::failed);
   EXPECT_EQ(without_repeated_stops(commands(2)), std::vector<int>({100, 0}));
@@ -339,10 +330,10 @@ TEST_F(SpeedControlTest, StopsAsSoonAsTheLineCarriesItAgain) {
   ASSERT_TRUE(control.wait());
   EXPECT_EQ(commands(1), std::vector<int>({100}));
   board.on_lost([](const Packet& request) { return is<msg::Control>(request); });
-  clock.advance(milliseconds(500));  // no command from the owner
+  clock.advance(Ms(500));  // no command from the owner
   EXPECT_EQ(control.wait().error().code, ErrorCode::timeout);
   board.on_lost({});
-  clock.advance(milliseconds(100));
+  clock.advance(Ms(100));
   EXPECT_EQ(without_repeated_stops(commands(2)), std::vector<int>({100, 0}));
   EXPECT_EQ(control.state(), State::failed);
 }

@@ -1,14 +1,9 @@
 #include "task_test.hpp"
 
-#include <stdexcept>
-#include <utility>
-
-#include "scripted_board.hpp"
-
 namespace sbgc::test {
 
 TaskTest::TaskTest() {
-  clock.on_move([this](std::chrono::milliseconds by) { board.skip(by); });
+  clock.on_move([this](Ms by) { board.skip(by); });
 }
 
 TaskTest::~TaskTest() = default;
@@ -17,13 +12,9 @@ void TaskTest::connect(unsigned retries) {
   client_.reset();
   ConnectOptions options = quick();
   options.retries = retries;
-  Result<Client> connected = connect_over(board.line(), options);
-  if (!connected) throw std::runtime_error(connected.error().message);
-  client_.emplace(*std::move(connected));
+  client_.emplace(*checked(connect_over(board.line(), options)));
   // Returns after everything that connecting has sent, which may be repeated after a stall.
-  const auto settled =
-      client_->call(msg::BoardInfoRequest{}, {.timeout = options.timeout, .retries = 0});
-  if (!settled) throw std::runtime_error(settled.error().message);
+  require(client_->call(msg::BoardInfoRequest{}, {.timeout = options.timeout, .retries = 0}));
   board.clear_log();
 }
 

@@ -1,16 +1,7 @@
 /// Tests of tasks with a client that is connected to an emulated board.
 #pragma once
 
-#include <optional>
-#include <string>
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <sbgc/client/client.hpp>
-
-#include "emulated_board.hpp"
-#include "manual_clock.hpp"
+#include "testing.hpp"
 
 namespace sbgc::test {
 
