@@ -229,14 +229,6 @@ Task<Result<int>> ask_three_times() {
   co_return good;
 }
 
-TEST_F(Async, RunsTasks) {
-  board.answer<msg::GetAnglesRequest>(msg::GetAngles{});
-  connect();
-  const auto count = client->async_run(ask_three_times(), asio::use_future).get();
-  ASSERT_TRUE(count);
-  EXPECT_EQ(*count, 3);
-}
-
 TEST_F(Async, WorksInCoroutines) {
   board.answer<msg::GetAnglesRequest>(msg::GetAngles{});
   const auto talk = [&]() -> asio::awaitable<std::string> {
@@ -337,8 +329,7 @@ TEST_F(Async, RawStreamsHaveTheBytesOfAnyMessage) {
       board.send_bytes(to_frame({id, {1, 2, 3}}));
     }
   });
-  msg::DataStreamInterval request;
-  request.cmd_id = static_cast<msg::CommandFromBoard>(unknown_id);
+  msg::DataStreamInterval request{.cmd_id = static_cast<msg::CommandFromBoard>(unknown_id)};
   request.interval_ms = msg::Milliseconds(100);  // for 258 bytes at 115200 Bd
   std::promise<Frame> first;
   std::atomic<bool> has_one{};

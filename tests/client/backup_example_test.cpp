@@ -57,10 +57,5 @@ TEST_F(BackupExample, RestoresNothingUnlessThatIsAgreed) {
   }
 }
 
-TEST_F(BackupExample, ExplainsHowItIsUsed) {
-  EXPECT_EQ(backup("").status, 2);
-  EXPECT_THAT(backup("").output, HasSubstr("usage:"));
-}
-
 }  // namespace
 }  // namespace sbgc::test

@@ -70,6 +70,11 @@ Result<BodeRecording> record(VirtualClient& client, std::uint32_t samples = 5000
   return client.run(tasks::record_bode(recording(samples), options));
 }
 
+Result<BodeRecording> record_over(SampleLine& line, std::uint32_t samples = 5000) {
+  VirtualClient client(board(), {}, &line);
+  return record(client, samples);
+}
+
 TEST(Bode, HasEverySampleWhetherTheStartIsConfirmedOrNot) {
   for (const bool is_confirmed : {true, false}) {
     for (const bool reports_index : {true, false}) {
@@ -132,8 +137,7 @@ TEST(Bode, WithNoise95PercentAreWithinTwoDeviations) {
 
 TEST(Bode, LostMessagesLeaveAGapThatTheResponseLeavesOut) {
   SampleLine line([](int number) { return number == 1 || (number >= 60 && number < 70) ? 0 : 1; });
-  VirtualClient client(board(), {}, &line);
-  const auto recorded = checked(record(client, 10'000));
+  const auto recorded = checked(record_over(line, 10'000));
   EXPECT_EQ(recorded->input.size(), 10'000U);
   EXPECT_EQ(recorded->lost, 11U * 20);
   for (const std::size_t lost : {0U, 19U, 59U * 20, 69U * 20 - 1}) {
@@ -144,25 +148,18 @@ TEST(Bode, LostMessagesLeaveAGapThatTheResponseLeavesOut) {
   EXPECT_GT(check_against_plant(*recorded, 6, 200), 140U);
 }
 
-TEST(Bode, TheLastMessagesMayBeLostToo) {
-  SampleLine line([](int number) { return number > 245 ? 0 : 1; });
-  VirtualClient client(board(), {}, &line);
-  const auto recorded = checked(record(client));
-  EXPECT_EQ(recorded->input.size(), 5000U);
-  EXPECT_EQ(recorded->lost, 100U);
-}
-
 TEST(Bode, ALossThatTheCounterCannotShowIsAnError) {
   SampleLine line([](int number) { return number >= 60 && number < 76 ? 0 : 1; });  // 320 samples
-  VirtualClient client(board(), {}, &line);
-  EXPECT_THAT(record(client), fails(ErrorCode::bad_response, "320 of 5000 samples were lost"));
+  EXPECT_THAT(record_over(line), fails(ErrorCode::bad_response, "320 of 5000 samples were lost"));
 }
 
-TEST(Bode, ARepeatedMessageCountsOnce) {
-  SampleLine line([](int number) { return number % 7 == 0 ? 2 : 1; });
-  VirtualClient client(board(), {}, &line);
-  const auto recorded = checked(record(client));
-  EXPECT_EQ(recorded->lost, 0U);
+TEST(Bode, TheLastMessagesMayBeLostAndARepeatedOneCountsOnce) {
+  SampleLine torn([](int number) { return number > 245 ? 0 : 1; });
+  const auto recorded = checked(record_over(torn));
+  EXPECT_EQ(recorded->input.size(), 5000U);
+  EXPECT_EQ(recorded->lost, 100U);
+  SampleLine repeating([](int number) { return number % 7 == 0 ? 2 : 1; });
+  EXPECT_EQ(checked(record_over(repeating))->lost, 0U);
 }
 
 TEST(Bode, ASilentBoardIsAnErrorThatSaysWhetherItMoves) {
@@ -231,8 +228,7 @@ TEST(Bode, ALostEndLosesNoSample) {
 TEST(Bode, WithoutTheEndALineThatFallsSilentBeforeItIsAnError) {
   SampleLine line([](int number) { return number > 125 ? 0 : 1; });
   line.loses_end = true;
-  VirtualClient client(board(), {}, &line);
-  EXPECT_THAT(record(client),
+  EXPECT_THAT(record_over(line),
               fails(ErrorCode::timeout, "the recording has started, but it failed"));
 }
 
@@ -288,17 +284,14 @@ TEST(Bode, AWaitForSilenceCanBeCancelled) {
 TEST(Bode, TheEndOfAnotherRecordingIsAnErrorThatSaysThatTheCameraMoves) {
   SampleLine line(all);
   line.stray.emplace().samples_count = 1000;
-  VirtualClient client(board(), {}, &line);
-  EXPECT_THAT(record(client), fails(ErrorCode::bad_response,
-                                    AllOf(HasSubstr("the recording has started, but it failed"),
-                                          HasSubstr("an end after 1000 of 5000 samples"))));
+  EXPECT_THAT(record_over(line), fails(ErrorCode::bad_response,
+                                       AllOf(HasSubstr("the recording has started, but it failed"),
+                                             HasSubstr("an end after 1000 of 5000 samples"))));
 }
 
 TEST(BodeCollector, ASampleThatIsNoNumberIsLost) {
   detail::BodeCollector collector(recording(2));
-  msg::BodeTestData data;
-  data.input_max = 1;
-  data.output_max = std::numeric_limits<float>::quiet_NaN();
+  msg::BodeTestData data{.input_max = 1, .output_max = std::numeric_limits<float>::quiet_NaN()};
   ASSERT_TRUE(data.samples.push_back({65534, 65534}) && data.samples.push_back({0, 0}));
   collector.add(data);
   EXPECT_EQ(collector.lost(), 2U);
@@ -339,18 +332,13 @@ TEST(BodeFile, IsThatOfTheVendor) {
   EXPECT_EQ(parse_bode_csv(to_csv(recorded))->output[1], recorded.output[1]) << "no digit is lost";
 }
 
-TEST(BodeFile, MayHaveWindowsLineEndsAndNoLastOne) {
-  const auto read = checked(parse_bode_csv("%sbgc_test_data;11;2;3;1;1;1\r\n1.5;2\r\n-3;4e2"));
+TEST(BodeFile, MayHaveAByteOrderMarkWindowsLineEndsAndTinyNumbers) {
+  const auto read = checked(parse_bode_csv(
+      "\xEF\xBB\xBF%sbgc_test_data;11;2;3;1;1;1\r\n1.5;2\r\n-3;4e2\r\n1e-60;-1e-42"));
   EXPECT_EQ(read->request.axis, msg::BodeAxis::yaw);
   EXPECT_EQ(read->request.system, msg::BodeSystem::overall);
-  EXPECT_THAT(read->output, ElementsAre(2, 400));
-}
-
-TEST(BodeFile, MayBeginWithAByteOrderMarkAndHaveTinyNumbers) {
-  const auto read =
-      checked(parse_bode_csv("\xEF\xBB\xBF%sbgc_test_data;11;2;3;1;1;1\n1e-60;-1e-42\n"));
-  EXPECT_EQ(read->input[0], 0);
-  EXPECT_EQ(read->output[0], static_cast<double>(-1e-42F));
+  EXPECT_THAT(read->input, ElementsAre(1.5, -3, 0));
+  EXPECT_THAT(read->output, ElementsAre(2, 400, static_cast<double>(-1e-42F)));
 }
 
 TEST(BodeFile, AnErrorNamesTheLine) {

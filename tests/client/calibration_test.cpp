@@ -9,8 +9,7 @@ namespace {
 class CalibrationTest : public TaskTest {
  protected:
   CalibrationOptions watched() {
-    CalibrationOptions options;
-    options.interval = Ms(1);
+    CalibrationOptions options{.interval = Ms(1)};
     options.progress = [this](const CalibrationProgress& seen) {
       EXPECT_TRUE(seen.has_started);
       if (seen.state) progress.push_back(seen.state->progress.raw());
@@ -105,9 +104,7 @@ TEST_F(CalibrationTest, OneAfterTheOther) {
   board.after([this](const Packet& request) {
     if (is<msg::CalibGyroExt>(request)) board.skip(std::chrono::seconds(30));
   });
-  msg::CalibGyroExt request;
-  request.imu_idx = msg::CalibImu::main;
-  request.action = msg::CalibAction::regular;
+  msg::CalibGyroExt request{.imu_idx = msg::CalibImu::main, .action = msg::CalibAction::regular};
   for (int i = 0; i < 2; ++i) {
     const auto ended = checked(client().run_calibration(request));
     EXPECT_EQ(*ended, CalibrationEnd::finished);

@@ -96,8 +96,7 @@ TEST_P(TaskDeadline, OfWriting) {
 }
 
 TEST_P(TaskDeadline, OfARestore) {
-  RestoreOptions options;
-  options.timeout = timeout;
+  RestoreOptions options{.timeout = timeout};
   options.save_current = [](const Backup&) { return Result<void>(); };
   Backup backup = *client.run(tasks::make_backup(""));
   backup.parameters = changed();
@@ -109,10 +108,7 @@ TEST_P(TaskDeadline, OfMemory) {
 }
 
 TEST_P(TaskDeadline, OfAMove) {
-  MoveOptions options;
-  options.timeout = timeout;
-  options.stop_on_failure = false;
-  options.speed = 5_deg_per_s;
+  MoveOptions options{.speed = 5_deg_per_s, .timeout = timeout, .stop_on_failure = false};
   expect_in_time(tasks::move_to({.yaw = 60_deg}, options));
 }
 

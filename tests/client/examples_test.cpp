@@ -74,8 +74,7 @@ TEST_F(Examples, QuickstartLeavesTheMotorsAsTheyWere) {
 }
 
 TEST_F(Examples, QuickstartLeavesMotorsOnThatWereOn) {
-  msg::RealtimeData4 state;
-  state.other_flags = msg::OtherFlag::motors_on;
+  msg::RealtimeData4 state{.other_flags = msg::OtherFlag::motors_on};
   board.answer<msg::RealtimeData4Request>(state);
   EXPECT_EQ(run_program(SBGC_EXAMPLE_QUICKSTART " " + port + " --yes").status, 0);
   EXPECT_THAT(motors.wait_for(0), IsEmpty());

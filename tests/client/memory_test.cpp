@@ -152,13 +152,6 @@ TEST_F(MemoryTest, TransfersTellTheirProgressAndCanBeCancelled) {
   EXPECT_EQ(client().download_eeprom(0, 500, options).error().code, ErrorCode::cancelled);
 }
 
-TEST_F(MemoryTest, TransfersEndWithTheirTime) {
-  board.after([&](const Packet&) { clock.advance(std::chrono::seconds(1)); });
-  TransferOptions options{.timeout = Ms(1500)};
-  EXPECT_EQ(client().run(tasks::download_eeprom(0, 10'000, options), clock).error().code,
-            ErrorCode::timeout);
-}
-
 TEST_F(MemoryTest, FilesComeBackAsTheyWereWritten) {
   for (const std::size_t size : std::vector<std::size_t>{1, 63, 64, 192, 193, 1000, 16000}) {
     const auto data = bytes(size);

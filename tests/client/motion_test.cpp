@@ -214,9 +214,8 @@ TEST_F(MotionTest, Releases) {
 void refuse_control(Packets& answers) {
   const auto is_angles = [](const Packet& one) { return is<msg::GetAngles>(one); };
   if (!std::ranges::any_of(answers, is_angles)) return;
-  msg::ErrorExt error;
-  error.cmd_id = msg::CommandToBoard::control;
-  error.error_code = msg::BoardErrorCode::wrong_state;
+  msg::ErrorExt error{.cmd_id = msg::CommandToBoard::control,
+                      .error_code = msg::BoardErrorCode::wrong_state};
   answers.insert(answers.begin(), packet(error));
 }
 

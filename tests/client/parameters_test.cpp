@@ -90,13 +90,6 @@ TEST_F(ParametersTest, ReadingTellsItsProgressAndCanBeCancelled) {
                                 "ReadParams3 of profile 3"));
 }
 
-TEST_F(ParametersTest, ReadingEndsWithItsTime) {
-  board.after([&](const Packet&) { clock.advance(std::chrono::seconds(1)); });
-  ReadOptions options{.timeout = Ms(2500)};
-  EXPECT_THAT(client().run(tasks::read_parameters(options), clock), fails(ErrorCode::timeout));
-  EXPECT_LE(message<msg::ReadParams3Request>(board.log().back()).profile_id, 2);
-}
-
 TEST_F(ParametersTest, AnAnswerAboutAnotherProfileIsNotTaken) {
   connect(few_retries);
   board.tamper([](Packets& answers) {

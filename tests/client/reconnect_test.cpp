@@ -214,39 +214,35 @@ TEST_F(Reconnecting, ACancelledStreamStaysSo) {
   EXPECT_EQ(board.count<msg::DataStreamInterval>(), 1U);
 }
 
-TEST_F(Reconnecting, AnotherBoardIsRefused) {
-  Client client = connect();
-  const std::string number = client.identity().serial_number();
-  emulator::BoardOptions other = board.options();
-  pull();
-  const emulator::BoardOptions own = other;
-  other.device_id[0] ^= 0xFF;
-  board.become(other);
-  is_plugged = true;
-  ASSERT_TRUE(wait_for(LinkState::other_board));
-  EXPECT_THAT(client.get_angles(), fails(ErrorCode::not_connected));
-  is_plugged = false;
-  board.become(own);
-  plug();
-  EXPECT_EQ(client.identity().serial_number(), number);
-  EXPECT_TRUE(client.get_angles());
-  EXPECT_THAT(states(), ElementsAre(LinkState::lost, LinkState::searching, LinkState::other_board,
-                                    LinkState::connected));
-  EXPECT_THAT(changes.wait_for(3)[2].message, HasSubstr(number));
-}
-
-TEST_F(Reconnecting, AnotherBoardCanBeAccepted) {
-  ReconnectOptions options = quick_again();
-  options.other_board = OtherBoard::accept;
-  Client client = connect(options);
-  const std::string number = client.identity().serial_number();
-  emulator::BoardOptions other = board.options();
-  other.device_id[0] ^= 0xFF;
-  pull();
-  board.become(other);
-  plug();
-  EXPECT_NE(client.identity().serial_number(), number);
-  EXPECT_TRUE(wait_for(LinkState::other_board));
+TEST_F(Reconnecting, AnotherBoardIsRefusedOrAccepted) {
+  for (const bool is_accepted : {false, true}) {
+    changes.clear();
+    ReconnectOptions options = quick_again();
+    if (is_accepted) options.other_board = OtherBoard::accept;
+    Client client = connect(options);
+    const std::string number = client.identity().serial_number();
+    const emulator::BoardOptions own = board.options();
+    emulator::BoardOptions other = own;
+    other.device_id[0] ^= 0xFF;
+    pull();
+    board.become(other);
+    is_plugged = true;
+    ASSERT_TRUE(wait_for(LinkState::other_board));
+    if (is_accepted) {
+      ASSERT_TRUE(wait_for(LinkState::connected));
+      EXPECT_NE(client.identity().serial_number(), number);
+      continue;
+    }
+    EXPECT_THAT(client.get_angles(), fails(ErrorCode::not_connected));
+    is_plugged = false;
+    board.become(own);
+    plug();
+    EXPECT_EQ(client.identity().serial_number(), number);
+    EXPECT_TRUE(client.get_angles());
+    EXPECT_THAT(states(), ElementsAre(LinkState::lost, LinkState::searching, LinkState::other_board,
+                                      LinkState::connected));
+    EXPECT_THAT(changes.wait_for(3)[2].message, HasSubstr(number));
+  }
 }
 
 TEST_F(Reconnecting, ARestartEndsTheConnectionAndStreamsGoOn) {

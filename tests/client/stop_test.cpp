@@ -1,8 +1,6 @@
 // Stops against everything that moves: threads of one client, other programs, losses. In virtual
 // time.
 
-#include <fmt/format.h>
-
 #include <sbgc/client/motion.hpp>
 #include <sbgc/messages/control.hpp>
 
@@ -253,28 +251,11 @@ TEST_P(StopProperty, NothingMovesAfterAStopThatHasSucceeded) {
     for (Owner& owner : owners) owner.set_again();
   };
   const std::size_t stopper = any_program();
-  std::string story;
-  const auto tell = [&](std::size_t program, const std::string& what) {
-    story += std::to_string(programs.board->now.us / 1000) + " ms, program " +
-             std::to_string(program) + ": " + what + "\n";
-  };
-  for (std::size_t i = 0; i < 3; ++i) {
-    programs.lines[i]->pass = [&tell, i](VirtualLine::Way way,
-                                         std::span<const std::uint8_t> bytes) {
-      if (way == VirtualLine::Way::to_board && bytes[1] != 61) {
-        std::string hex;
-        for (const std::uint8_t byte : bytes) hex += fmt::format(" {:02x}", byte);
-        tell(i, hex);
-      }
-      return true;
-    };
-  }
   bool is_fought = false;  // a held speed of another program is repeated by its owner
   for (int i = 0, count = 1 + upto(4); i < count; ++i) {
     const std::size_t program = any_program();
     const msg::Angle14 angle(static_cast<std::int16_t>(upto(3000)));
     const int kind = upto(4);
-    tell(program, "task " + std::to_string(kind));
     switch (kind) {
       case 0: programs.start(program, tasks::move_to({.pitch = angle}, slowly())); break;
       case 1: programs.start(program, tasks::move_to({.yaw = angle}, slowly(40_deg_per_s))); break;
@@ -289,17 +270,15 @@ TEST_P(StopProperty, NothingMovesAfterAStopThatHasSucceeded) {
     }
     programs.run_for(sbgc::milliseconds(upto(700)));
   }
-  tell(stopper, "stop");
   const auto stopped = programs.await(programs.start(stopper, tasks::stop()));
   if (!stopped) {
     EXPECT_TRUE(is_fought || losses > 0) << stopped.error().message;
     return;
   }
   EXPECT_TRUE(programs.stands());
-  tell(stopper, "has stopped");
   bool has_moved = false;
   programs.run(programs.board->now + seconds(4), [&] { return has_moved = !programs.stands(); });
-  EXPECT_FALSE(has_moved) << story;
+  EXPECT_FALSE(has_moved);
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, StopProperty, ::testing::Range(0U, 300U));

@@ -139,8 +139,7 @@ TEST_F(Streams, OfOneMessageHaveTheirOwnRates) {
 TEST_F(Streams, OfATypeAtRunTimeAreThoseOfTheMessage) {
   Client client = connect();
   const MessageType& type = *find_message("RealtimeData4");
-  msg::DataStreamInterval request;
-  request.interval_ms = msg::Milliseconds(20);
+  msg::DataStreamInterval request{.interval_ms = msg::Milliseconds(20)};
   std::atomic<int> streamed{0};
   std::atomic<int> heard{0};
   const auto count = [](std::atomic<int>& into) {
@@ -186,9 +185,8 @@ TEST_F(RawStreams, HaveTheBytesOfAnyMessage) {
   });
   Client client = connect();
   Collector<Packet> samples;
-  msg::DataStreamInterval request;
-  request.cmd_id = static_cast<msg::CommandFromBoard>(unknown_id);
-  request.interval_ms = msg::Milliseconds(20);
+  msg::DataStreamInterval request{.cmd_id = static_cast<msg::CommandFromBoard>(unknown_id),
+                                  .interval_ms = msg::Milliseconds(20)};
   ASSERT_TRUE(request.config.rest.resize(8));
   request.config.rest[0] = 0x45;
   {
@@ -212,9 +210,8 @@ TEST_F(Streams, OfKnownMessagesHaveTheirBytes) {
   Client client = connect();
   std::atomic<int> typed{};
   std::atomic<int> raw{};
-  msg::DataStreamInterval request;
-  request.cmd_id = msg::CommandFromBoard::realtime_data_3;
-  request.interval_ms = msg::Milliseconds(100);
+  msg::DataStreamInterval request{.cmd_id = msg::CommandFromBoard::realtime_data_3,
+                                  .interval_ms = msg::Milliseconds(100)};
   const auto bytes = checked(client.stream_raw(request, [&](const Frame& frame) {
     if (frame.body.size() == msg::RealtimeData3::min_size) ++raw;
   }));

@@ -172,9 +172,8 @@ TEST_F(Subscribed, ToAStreamRegistersItAndEndsIt) {
   Collector<msg::RealtimeData4> samples;
   auto stream = checked(client.stream<msg::RealtimeData4>(
       Ms(20), [&](const msg::RealtimeData4& sample) { samples.add(sample); }, once));
-  msg::DataStreamInterval expected;
-  expected.cmd_id = msg::CommandFromBoard::realtime_data_4;
-  expected.interval_ms = 20_ms;
+  msg::DataStreamInterval expected{.cmd_id = msg::CommandFromBoard::realtime_data_4,
+                                   .interval_ms = 20_ms};
   expected.config.rest.resize(8);
   EXPECT_EQ(registrations.wait_for(1).at(0), expected);
   board.send(msg::RealtimeData4{});
@@ -217,17 +216,14 @@ TEST_F(Subscribed, ToAStreamEndsItWithTheClient) {
     // The other one ends just before the client does.
   }
   // One may be ended twice, if its end was not confirmed yet.
-  const auto is_ended = [](const std::vector<msg::DataStreamInterval>& requests,
-                           msg::CommandFromBoard command) {
-    return std::any_of(
-        requests.begin(), requests.end(), [&](const msg::DataStreamInterval& request) {
-          return request.cmd_id == command && request.interval_ms == msg::Milliseconds{};
-        });
-  };
-  EXPECT_TRUE(registrations.wait_until([&](const auto& requests) {
-    return is_ended(requests, msg::CommandFromBoard::realtime_data_4) &&
-           is_ended(requests, msg::CommandFromBoard::realtime_data_3);
-  }));
+  for (const auto command :
+       {msg::CommandFromBoard::realtime_data_4, msg::CommandFromBoard::realtime_data_3}) {
+    EXPECT_TRUE(registrations.wait_until([&](const auto& requests) {
+      return std::ranges::any_of(requests, [&](const msg::DataStreamInterval& request) {
+        return request.cmd_id == command && request.interval_ms == msg::Milliseconds{};
+      });
+    }));
+  }
 }
 
 TEST_F(Subscribed, ToTheSameStreamTwiceEndsItOnce) {
@@ -255,8 +251,7 @@ TEST_F(Subscribed, ToAStreamReadsItByWhatWasAskedFor) {
   });
   Client client = connect();
   Collector<msg::RealtimeDataCustom> samples;
-  msg::DataStreamInterval request;
-  request.interval_ms = 50_ms;
+  msg::DataStreamInterval request{.interval_ms = 50_ms};
   request.config.flags = msg::RealtimeDataCustomFlags(msg::RealtimeDataCustomFlag::imu_angles);
   const auto stream = checked(client.stream<msg::RealtimeDataCustom>(
       request, [&](const msg::RealtimeDataCustom& sample) { samples.add(sample); }));
@@ -286,12 +281,8 @@ TEST_F(Subscribed, ToMoreThanTheLineCarriesIsRefused) {
 }
 
 TEST_F(Subscribed, ToAStreamThatTheBoardRefusesFails) {
-  board.on<msg::DataStreamInterval>([this](const msg::DataStreamInterval&) {
-    msg::ErrorExt error;
-    error.cmd_id = msg::CommandToBoard::data_stream_interval;
-    error.error_code = msg::BoardErrorCode(3);
-    board.send(error);
-  });
+  board.answer<msg::DataStreamInterval>(msg::ErrorExt{
+      .cmd_id = msg::CommandToBoard::data_stream_interval, .error_code = msg::BoardErrorCode(3)});
   Client client = connect();
   const auto stream = client.stream<msg::RealtimeData4>(
       Ms(20), [](const auto&) {}, once);
@@ -343,10 +334,8 @@ TEST_F(Subscribed, ToNoticesHearsOfResetsErrorsAndTheLossOfTheLine) {
   Client client = connect();
   Collector<Notice> got;
   const auto subscription = client.on_notice([&](const Notice& notice) { got.add(notice); });
-  msg::ErrorExt error;
-  error.cmd_id = msg::CommandToBoard::control;
-  error.error_code = msg::BoardErrorCode::not_supported;
-  board.send(error);
+  board.send(msg::ErrorExt{.cmd_id = msg::CommandToBoard::control,
+                           .error_code = msg::BoardErrorCode::not_supported});
   board.send(msg::Reset{});
   EXPECT_EQ(got.wait_for(2).at(1).kind, NoticeKind::board_reset);
   board.unplug();

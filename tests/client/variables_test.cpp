@@ -141,9 +141,8 @@ TEST_F(VariablesTest, AreSaved) {
 TEST_F(VariablesTest, ABoardThatRefusesToSaveIsReported) {
   static_cast<void>(client());
   board.tamper([](Packets& answers) {
-    msg::ErrorExt error;
-    error.cmd_id = msg::CommandToBoard::save_params_3;
-    error.error_code = msg::BoardErrorCode::wrong_state;
+    msg::ErrorExt error{.cmd_id = msg::CommandToBoard::save_params_3,
+                        .error_code = msg::BoardErrorCode::wrong_state};
     answers = {packet(error)};
   });
   EXPECT_EQ(client().save_variables().error().code, ErrorCode::board_error);

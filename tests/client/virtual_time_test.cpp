@@ -23,16 +23,6 @@ class VirtualTime : public ::testing::Test {
   VirtualClient client{calm_board()};
 };
 
-TEST_F(VirtualTime, TheSameMoveTwiceTakesTheSameTime) {
-  const auto time = [] {
-    VirtualClient other(calm_board());
-    const Instant start = other.now();
-    EXPECT_TRUE(other.run(tasks::move_to({.yaw = 40_deg})));
-    return other.now() - start;
-  };
-  EXPECT_EQ(time(), time());
-}
-
 TEST_F(VirtualTime, ACancelledMoveStopsTheCamera) {
   const Instant end = client.now() + sbgc::milliseconds(700);
   EXPECT_THAT(client.run(tasks::move_to({.yaw = 120_deg}, {.speed = 20_deg_per_s}),
@@ -45,14 +35,6 @@ TEST_F(VirtualTime, ACancelledMoveStopsTheCamera) {
   EXPECT_NEAR(yaw_speed(), 0, 1);
 }
 
-TEST_F(VirtualTime, ADeadLineEndsAStopInTime) {
-  client.cut_the_line();
-  const Instant start = client.now();
-  EXPECT_THAT(client.run(tasks::stop()), fails(ErrorCode::timeout));
-  EXPECT_LE(client.now() - start, seconds(10));
-  EXPECT_EQ(client.pending(), 0U);
-}
-
 TEST_F(VirtualTime, AnAnswerOfOtherContentIsNoSampleOfTheStream) {
   using Flag = msg::RealtimeDataCustomFlag;
   std::vector<msg::RealtimeDataCustom> samples;
@@ -60,8 +42,7 @@ TEST_F(VirtualTime, AnAnswerOfOtherContentIsNoSampleOfTheStream) {
       client.delivery().subscribe(detail::key_of<msg::RealtimeDataCustom>, [&](const void* sample) {
         samples.push_back(*static_cast<const msg::RealtimeDataCustom*>(sample));
       });
-  msg::DataStreamInterval stream;
-  stream.cmd_id = msg::RealtimeDataCustom::command;
+  msg::DataStreamInterval stream{.cmd_id = msg::RealtimeDataCustom::command};
   const auto ask = [&](Flag what) {
     return client.run(called(msg::RealtimeDataCustomRequest{.flags = what}));
   };
@@ -81,17 +62,6 @@ TEST_F(VirtualTime, AnAnswerOfOtherContentIsNoSampleOfTheStream) {
   for (const auto& sample : samples) EXPECT_NEAR(sample.imu_angles->yaw.degrees(), 0, 1);
   ASSERT_TRUE(start(10));
   EXPECT_THAT(ask(Flag::acc_data), fails(ErrorCode::overload));
-}
-
-TEST_F(VirtualTime, NothingIsWrittenIfThePresentStateCannotBeSaved) {
-  const auto before = checked(client.run(tasks::make_backup("")));
-  RestoreOptions options;
-  options.save_current = [](const Backup&) -> Result<void> {
-    return ClientError{ErrorCode::io, "the disk is full"};
-  };
-  const WriteReport report = client.run(tasks::restore(*before, options));
-  ASSERT_THAT(report, fails(ErrorCode::io));
-  EXPECT_THAT(report.parameters, SizeIs(0));
 }
 
 TEST_F(VirtualTime, ACancelledCalibrationLeavesNoCallBehind) {

@@ -115,13 +115,6 @@ TEST(Address, WordsAreOfAnyCase) {
   EXPECT_EQ(parsed("Capture:X?timing=FAST"), Address(CaptureAddress{"X", ReplayTiming::fast}));
 }
 
-TEST(Open, ReportsWhatTheAddressHasWrong) {
-  asio::io_context context;
-  const OpenResult result = open(context.get_executor(), "tcp:host");
-  EXPECT_FALSE(result);
-  EXPECT_EQ(result.error.code, Errc::bad_address);
-}
-
 TEST(Open, PassesTheSettingsOn) {
   asio::io_context context;
   const OpenResult board = open(context.get_executor(), "pty:");

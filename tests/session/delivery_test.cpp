@@ -5,10 +5,11 @@
 namespace sbgc::test {
 namespace {
 
+using Delivery = LineTest;
+
 // Loss
 
-TEST(Session, RepeatsWhatIsSafeToRepeat) {
-  Simulation line;
+TEST_F(Delivery, RepeatsWhatIsSafeToRepeat) {
   line.board = [&](const Written&) {
     if (line.written.size() == 3) line.say(board_info, body_of(18));
   };
@@ -22,24 +23,20 @@ TEST(Session, RepeatsWhatIsSafeToRepeat) {
   EXPECT_EQ(statistics.sent_bytes, 3U * frame_size(0));
 }
 
-TEST(Session, GivesUpAfterAllAttempts) {
-  Simulation line;
+TEST_F(Delivery, GivesUpAfterAllAttempts) {
   EXPECT_EQ(line.ask(msg::BoardInfoRequest{}), Outcome::timeout);
   EXPECT_THAT(line.written, SizeIs(3));
   EXPECT_EQ(line.ask(msg::BoardInfoRequest{}, {.attempts = 1}), Outcome::timeout);
   EXPECT_THAT(line.written, SizeIs(4));
 }
 
-TEST(Session, DoesNotRepeatWhatIsNotSafe) {
-  Simulation line;
-  msg::I2cReadRegBufRequest request;
-  request.data_len = msg::SmallByteCount(4);
+TEST_F(Delivery, DoesNotRepeatWhatIsNotSafe) {
+  msg::I2cReadRegBufRequest request{.data_len = msg::SmallByteCount(4)};
   EXPECT_EQ(line.ask(request, {.attempts = 5}), Outcome::timeout);
   EXPECT_THAT(line.written, SizeIs(1));
 }
 
-TEST(Session, HasADeadlineForTheWholeRequest) {
-  Simulation line;
+TEST_F(Delivery, HasADeadlineForTheWholeRequest) {
   const Instant deadline = line.now + milliseconds(700);
   const Handle handle = line.send(msg::BoardInfoRequest{}, {.deadline = deadline});
   // It waits for the first request and then for its late reply, and is never sent.
@@ -54,8 +51,7 @@ TEST(Session, HasADeadlineForTheWholeRequest) {
 
 // Delay
 
-TEST(Session, ALateAnswerIsNotTheAnswerOfTheNextRequest) {
-  Simulation line;
+TEST_F(Delivery, ALateAnswerIsNotTheAnswerOfTheNextRequest) {
   int asked = 0;
   line.board = [&](const Written&) {
     ++asked;
@@ -72,8 +68,7 @@ TEST(Session, ALateAnswerIsNotTheAnswerOfTheNextRequest) {
   EXPECT_TRUE(line.of(EventKind::unsolicited)[0].event.is_late);
 }
 
-TEST(Session, TheAnswerToTheFirstTransmissionAnswersARepeatedRequest) {
-  Simulation line;
+TEST_F(Delivery, TheAnswerToTheFirstTransmissionAnswersARepeatedRequest) {
   line.board = [&](const Written&) {
     line.say(board_info, body_of(18, {static_cast<int>(line.written.size())}), milliseconds(520));
   };
@@ -89,7 +84,7 @@ TEST(Session, TheAnswerToTheFirstTransmissionAnswersARepeatedRequest) {
   EXPECT_EQ(line.completion(second)->body[0], 3);
 }
 
-TEST(Session, AnAnswerIsLateEvenIfItsRequestWasStuckInTheLine) {
+TEST(Sessions, AnAnswerIsLateEvenIfItsRequestWasStuckInTheLine) {
   Session session;
   std::vector<Record> events;
   const auto sink = [&](const Event& event) {
@@ -124,7 +119,7 @@ TEST(Session, AnAnswerIsLateEvenIfItsRequestWasStuckInTheLine) {
   EXPECT_EQ(events[2].body.front(), 2);
 }
 
-TEST(Session, AnAnswerIsLateAfterTheTimeoutOfARequestThatLeftLate) {
+TEST(Sessions, AnAnswerIsLateAfterTheTimeoutOfARequestThatLeftLate) {
   Session session;
   const auto ignore = [](const Event&) {};
   session.send(msg::BoardInfoRequest{}, {.attempts = 1});
@@ -138,7 +133,7 @@ TEST(Session, AnAnswerIsLateAfterTheTimeoutOfARequestThatLeftLate) {
   EXPECT_FALSE(session.poll(left + milliseconds(1000), ignore).bytes.empty());
 }
 
-TEST(Session, OnlyTheRequestThatLeftLateHasMoreTime) {
+TEST(Sessions, OnlyTheRequestThatLeftLateHasMoreTime) {
   Session session;
   std::vector<Record> events;
   Instant now = start_time;
@@ -161,8 +156,7 @@ TEST(Session, OnlyTheRequestThatLeftLateHasMoreTime) {
   EXPECT_EQ(events[1].at, start_time + milliseconds(600));
 }
 
-TEST(Session, CancelsWhatIsNotSentYet) {
-  Simulation line;
+TEST_F(Delivery, CancelsWhatIsNotSentYet) {
   const Handle handle = line.send(msg::MotorsOn{});
   EXPECT_TRUE(line.session.cancel(handle, line.sink()));
   EXPECT_FALSE(line.session.cancel({}, line.sink()));
@@ -173,8 +167,7 @@ TEST(Session, CancelsWhatIsNotSentYet) {
 
 // Line errors
 
-TEST(Session, ABeginningOfAFrameDoesNotHoldTheAnswerBackForLong) {
-  Simulation line;
+TEST_F(Delivery, ABeginningOfAFrameDoesNotHoldTheAnswerBackForLong) {
   line.board = [&](const Written&) {
     line.say_bytes({'>', 9, 200, 209});  // a header without the announced body
     line.say(board_info, body_of(18), milliseconds(5));
@@ -188,16 +181,14 @@ TEST(Session, ABeginningOfAFrameDoesNotHoldTheAnswerBackForLong) {
   EXPECT_THAT(line.written, SizeIs(1));
 }
 
-TEST(Session, AStartByteAloneIsDiscardedAfterTheSilence) {
-  Simulation line;
+TEST_F(Delivery, AStartByteAloneIsDiscardedAfterTheSilence) {
   line.say_bytes({'>'});
   line.run();
   EXPECT_EQ(line.now, start_time + milliseconds(3 + 100));
   EXPECT_EQ(line.session.poll(line.now, line.sink()).deadline, Instant::never);
 }
 
-TEST(Session, SilenceCountsEvenIfPollComesLate) {
-  Simulation line;
+TEST_F(Delivery, SilenceCountsEvenIfPollComesLate) {
   line.session.feed(Body{'>', 9, 200, 209}, line.now, line.sink());
   line.now = line.now + seconds(1);
   line.session.feed(frame_of(realtime_data_4, body_of(124)), line.now, line.sink());

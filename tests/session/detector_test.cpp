@@ -157,8 +157,7 @@ TEST(Detector, CountsABadFrameWhereverItIs) {
     bytes.insert(bytes.end(), frame.begin(), frame.end());
     return bytes;
   };
-  DetectorOptions options;
-  options.probes = 1;
+  DetectorOptions options{.probes = 1};
   Detector detector(options);
   EXPECT_EQ(port.search(detector), DetectorStep::Kind::found);
   for (const Trial& trial : detector.trials()) {
@@ -238,8 +237,7 @@ TEST(Detector, WaitsAsLongAsTheLineNeeds) {
 
 TEST(Detector, AsksWhatItIsTold) {
   const auto question = frame_of(86, body_of(9));
-  DetectorOptions options;
-  options.question = question;
+  DetectorOptions options{.question = question};
   Detector detector(options);
   for (Instant now = start_time;;) {
     const DetectorStep step = detector.next(now);
@@ -254,8 +252,7 @@ TEST(Detector, AsksWhatItIsTold) {
 }
 
 TEST(Detector, WithoutRoundsDoesNothing) {
-  DetectorOptions options;
-  options.rounds = 0;
+  DetectorOptions options{.rounds = 0};
   Detector detector(options);
   EXPECT_EQ(detector.next(start_time).kind, DetectorStep::Kind::failed);
   detector.feed(frame_of(86, body_of(18)));

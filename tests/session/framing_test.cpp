@@ -7,6 +7,8 @@
 namespace sbgc::test {
 namespace {
 
+using Framings = LineTest;
+
 constexpr std::uint8_t get_angles = 73;
 
 /// A board that answers each request in its framing, if it knows that.
@@ -32,8 +34,7 @@ TEST(SessionFraming, IsTheNewestOneThatTheFirmwareKnows) {
   EXPECT_EQ(newest_framing({2680, 30}), Framing::v2);
 }
 
-TEST(SessionFraming, ChangesWhenTheBoardAnswersInTheOther) {
-  Simulation line;
+TEST_F(Framings, ChangesWhenTheBoardAnswersInTheOther) {
   line.board = [&](const Written& request) { answer(line, request); };
   const Handle before = line.send(msg::BoardInfoRequest{});
   line.run();
@@ -50,8 +51,7 @@ TEST(SessionFraming, ChangesWhenTheBoardAnswersInTheOther) {
   EXPECT_THAT(framings_of(line.written), ElementsAre(Framing::v1, Framing::v2, Framing::v2));
 }
 
-TEST(SessionFraming, StaysIfTheBoardDoesNotAnswerInTheOther) {
-  Simulation line;
+TEST_F(Framings, StaysIfTheBoardDoesNotAnswerInTheOther) {
   line.board = [&](const Written& request) { answer(line, request, Framing::v1); };
   const Handle trial = try_v2(line);
   line.run();
@@ -62,8 +62,7 @@ TEST(SessionFraming, StaysIfTheBoardDoesNotAnswerInTheOther) {
               ElementsAre(Framing::v2, Framing::v2, Framing::v2, Framing::v1));
 }
 
-TEST(SessionFraming, StaysIfTheAnswerIsInTheOldOne) {
-  Simulation line;
+TEST_F(Framings, StaysIfTheAnswerIsInTheOldOne) {
   line.board = [&](const Written& request) { line.say(request.id, body_of(18)); };
   const Handle trial = try_v2(line);
   line.run();
@@ -71,8 +70,7 @@ TEST(SessionFraming, StaysIfTheAnswerIsInTheOldOne) {
   EXPECT_EQ(line.session.framing(), Framing::v1);
 }
 
-TEST(SessionFraming, OnlyTheOneInUseIsAccepted) {
-  Simulation line;
+TEST_F(Framings, OnlyTheOneInUseIsAccepted) {
   line.say_bytes(frame_of(102, body_of(4), Framing::v2));
   line.run_for(milliseconds(10));
   EXPECT_THAT(line.events, IsEmpty());
@@ -88,8 +86,7 @@ TEST(SessionFraming, OnlyTheOneInUseIsAccepted) {
   EXPECT_THAT(line.events, SizeIs(1));
 }
 
-TEST(SessionFraming, ATrialLosesNoFrameOfEither) {
-  Simulation line;
+TEST_F(Framings, ATrialLosesNoFrameOfEither) {
   line.board = [&](const Written& request) {
     line.say(102, body_of(4), milliseconds(1));
     answer(line, request);
@@ -101,8 +98,7 @@ TEST(SessionFraming, ATrialLosesNoFrameOfEither) {
 }
 
 // A request before the trial is answered in the old framing, one after it in the new one.
-TEST(SessionFraming, NothingIsInFlightDuringATrial) {
-  Simulation line;
+TEST_F(Framings, NothingIsInFlightDuringATrial) {
   line.board = [&](const Written& request) { answer(line, request); };
   const Handle before = line.send(msg::GetAnglesRequest{});
   const Handle trial = try_v2(line);
@@ -122,8 +118,7 @@ TEST(SessionFraming, NothingIsInFlightDuringATrial) {
   EXPECT_EQ(line.outcome(after), Outcome::answered);
 }
 
-TEST(SessionFraming, ANewLinkBeginsWithTheFramingOfEveryBoard) {
-  Simulation line;
+TEST_F(Framings, ANewLinkBeginsWithTheFramingOfEveryBoard) {
   line.board = [&](const Written& request) { answer(line, request); };
   try_v2(line);
   line.run();
@@ -132,8 +127,7 @@ TEST(SessionFraming, ANewLinkBeginsWithTheFramingOfEveryBoard) {
   EXPECT_EQ(line.ask(msg::BoardInfoRequest{}), Outcome::answered);
 }
 
-TEST(SessionFraming, ACancelledTrialChangesNothing) {
-  Simulation line;
+TEST_F(Framings, ACancelledTrialChangesNothing) {
   const Handle trial = try_v2(line);
   line.run_for(milliseconds(50));
   EXPECT_TRUE(line.session.cancel(trial, line.sink()));

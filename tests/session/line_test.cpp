@@ -5,6 +5,10 @@
 namespace sbgc::test {
 namespace {
 
+using Pacing = LineTest;
+using Timeouts = LineTest;
+using StreamBudget = LineTest;
+
 /// Returns the time between the frames of `first` and of another request.
 template <class M>
 Duration gap_behind(const M& first, const SessionOptions& options = {}) {
@@ -25,7 +29,7 @@ TEST(WireTime, OfAByteAndOfAFrame) {
   EXPECT_EQ(bytes_per_second({115200, Parity::even}), 10472U);
 }
 
-TEST(Pacing, LiesBetweenTenAndTwentyMilliseconds) {
+TEST(PacingRules, LiesBetweenTenAndTwentyMilliseconds) {
   const Duration small = gap_behind(msg::Control{});
   const Duration large = gap_behind(msg::ReadParams3Request{});
   EXPECT_EQ(small, milliseconds(10));
@@ -33,7 +37,7 @@ TEST(Pacing, LiesBetweenTenAndTwentyMilliseconds) {
   EXPECT_LE(large, milliseconds(20));
 }
 
-TEST(Pacing, GivesTheRequestAndTheAnswerTheirTimeOnTheLine) {
+TEST(PacingRules, GivesTheRequestAndTheAnswerTheirTimeOnTheLine) {
   SessionOptions options;
   options.line = {9600, Parity::even};
   // 6 bytes of request, 139 bytes of response, 11 bits each.
@@ -41,7 +45,7 @@ TEST(Pacing, GivesTheRequestAndTheAnswerTheirTimeOnTheLine) {
             wire_time(options.line, 6) + wire_time(options.line, 139));
 }
 
-TEST(Pacing, CanBeOffAndOther) {
+TEST(PacingRules, CanBeOffAndOther) {
   SessionOptions options;
   options.pacing = {};
   options.pacing.shortest = options.pacing.longest = Duration{};
@@ -54,8 +58,7 @@ TEST(Pacing, CanBeOffAndOther) {
   EXPECT_EQ(gap_behind(msg::Control{}, options), Duration{}) << "as if 0";
 }
 
-TEST(Pacing, EndsWithTheResponse) {
-  Simulation line;
+TEST_F(Pacing, EndsWithTheResponse) {
   line.board = [&](const Written& frame) { line.say(frame.id, body_of(18), milliseconds(2)); };
   for (int i = 0; i < 3; ++i) line.send(msg::GetAnglesRequest{});
   line.run();
@@ -64,8 +67,7 @@ TEST(Pacing, EndsWithTheResponse) {
   EXPECT_EQ(line.written[2].at - line.written[1].at, milliseconds(2));
 }
 
-TEST(Pacing, EndsWithAConfirmationOrAnError) {
-  Simulation line;
+TEST_F(Pacing, EndsWithAConfirmationOrAnError) {
   line.board = [&](const Written& frame) { line.confirm(frame.id, milliseconds(1)); };
   line.send(msg::MotorsOn{}, {.expect_confirmation = true});
   line.send(msg::BeepSound{});
@@ -84,8 +86,7 @@ TEST(Pacing, EndsWithAConfirmationOrAnError) {
   EXPECT_EQ(refused.written[1].at - refused.written[0].at, milliseconds(1));
 }
 
-TEST(Pacing, IsKeptAfterAResponseToAnEarlierFrame) {
-  Simulation line;
+TEST_F(Pacing, IsKeptAfterAResponseToAnEarlierFrame) {
   line.board = [&](const Written& frame) {
     if (frame.id == 73) line.say(frame.id, body_of(18), milliseconds(11));
   };
@@ -99,8 +100,7 @@ TEST(Pacing, IsKeptAfterAResponseToAnEarlierFrame) {
   EXPECT_GE(line.written[2].at - line.written[1].at, milliseconds(10));
 }
 
-TEST(Pacing, IsKeptAfterAResponseToAResentFrame) {
-  Simulation line;
+TEST_F(Pacing, IsKeptAfterAResponseToAResentFrame) {
   int left = 1;
   line.board = [&](const Written& frame) {
     if (frame.id != 73 || left-- > 0) return;
@@ -117,7 +117,7 @@ TEST(Pacing, IsKeptAfterAResponseToAResentFrame) {
   EXPECT_GE(line.written[2].at - line.written[1].at, milliseconds(10));
 }
 
-TEST(Pacing, CanLastLongerThanTheResponse) {
+TEST(PacingRules, CanLastLongerThanTheResponse) {
   SessionOptions options;
   options.pacing.until_response = false;
   Simulation line(options);
@@ -129,7 +129,7 @@ TEST(Pacing, CanLastLongerThanTheResponse) {
   EXPECT_GE(line.written[1].at - line.written[0].at, milliseconds(10));
 }
 
-TEST(Pacing, EndsBeforeTheWriteIsReported) {
+TEST(PacingRules, EndsBeforeTheWriteIsReported) {
   Session session;
   std::array<std::uint8_t, max_frame_size> answer{};
   const std::size_t size = write_frame(73, body_of(18), answer).size;
@@ -171,15 +171,13 @@ TEST(Timeout, AResponseWithoutBodyTakesOnlyItsFrame) {
   SessionOptions options;
   options.line = {9600, Parity::none};
   Simulation line(options);
-  msg::ResetRequestExt request;
-  request.confirm = msg::ResetOption::notify;
+  msg::ResetRequestExt request{.confirm = msg::ResetOption::notify};
   EXPECT_EQ(until_timeout(request, line), wire_time(options.line, frame_size(3)) +
                                               wire_time(options.line, frame_size(0)) +
                                               milliseconds(500));
 }
 
-TEST(Timeout, FollowsTheLine) {
-  Simulation line;
+TEST_F(Timeouts, FollowsTheLine) {
   EXPECT_EQ(until_timeout(msg::MotorsOn{}, line), milliseconds(500));
   const LineSettings slow{9600, Parity::none};
   line.session.set_line(slow);
@@ -191,9 +189,7 @@ TEST(Timeout, FollowsTheLine) {
 // Data streams
 
 msg::DataStreamInterval stream_of(msg::CommandFromBoard command, std::uint16_t interval) {
-  msg::DataStreamInterval request;
-  request.cmd_id = command;
-  request.interval_ms = msg::Milliseconds(interval);
+  msg::DataStreamInterval request{.cmd_id = command, .interval_ms = msg::Milliseconds(interval)};
   return request;
 }
 
@@ -275,9 +271,8 @@ TEST(Streams, ThatTheBoardDoesNotStartTakeNothing) {
   }
 }
 
-TEST(Streams, AreLimitedInNumber) {
-  Simulation line;
-  line.board = [&](const Written& frame) { line.confirm(frame.id); };
+TEST_F(StreamBudget, AreLimitedInNumber) {
+  confirm_all();
   for (std::uint32_t i = 0; i < 10; ++i) {
     EXPECT_TRUE(line.session.send(custom_stream(msg::RealtimeDataCustomFlags(i), 100))) << i;
     line.run();
@@ -305,9 +300,8 @@ TEST(Streams, AreForgottenWhenTheBoardRestarts) {
   EXPECT_EQ(line.session.stream_usage().used, 0U);
 }
 
-TEST(Streams, SamplesAreTold) {
-  Simulation line;
-  line.board = [&](const Written& frame) { line.confirm(frame.id); };
+TEST_F(StreamBudget, SamplesAreTold) {
+  confirm_all();
   line.send(stream_of(msg::CommandFromBoard::realtime_data_3, 100));
   line.run();
   line.say(23, body_of(63));
@@ -452,9 +446,8 @@ TEST_F(Sampled, TheFirstSampleSaysItsSize) {
   EXPECT_EQ(std::ranges::count(samples(), Sample::yes), 10);
 }
 
-TEST(Streams, ASampleOfAnotherSizeIsNoAnswer) {
-  Simulation line;
-  line.board = [&](const Written& frame) { line.confirm(frame.id); };
+TEST_F(StreamBudget, ASampleOfAnotherSizeIsNoAnswer) {
+  confirm_all();
   line.send(
       custom_stream(msg::RealtimeDataCustomFlags{msg::RealtimeDataCustomFlag::rc_channels}, 100));
   line.run();

@@ -5,14 +5,14 @@
 namespace sbgc::test {
 namespace {
 
+using Matching = LineTest;
+
 msg::ReadParams3Request read_profile(std::uint8_t profile) {
-  msg::ReadParams3Request request;
-  request.profile_id = profile;
+  msg::ReadParams3Request request{.profile_id = profile};
   return request;
 }
 
-TEST(Session, RequestsThatAnswersTellApartAreInFlightTogether) {
-  Simulation line;
+TEST_F(Matching, RequestsThatAnswersTellApartAreInFlightTogether) {
   line.board = [&](const Written& frame) {  // responses in reverse order
     const int delay = 300 - 50 * frame.body[0];
     line.say(read_params_3, body_of(134, {frame.body[0]}), milliseconds(delay));
@@ -30,8 +30,7 @@ TEST(Session, RequestsThatAnswersTellApartAreInFlightTogether) {
   }
 }
 
-TEST(Session, AWrongAnswerIsNone) {
-  Simulation line;
+TEST_F(Matching, AWrongAnswerIsNone) {
   line.board = [&](const Written&) {
     line.say(read_params_3, body_of(134, {4}), milliseconds(3));    // another profile
     line.say(realtime_data_4, body_of(124, {1}), milliseconds(7));  // another message
@@ -54,7 +53,7 @@ msg::RealtimeDataCustomRequest read_angles() {
   return {.flags = msg::RealtimeDataCustomFlag::imu_angles};
 }
 
-TEST(Session, ABodyOfAWrongSizeAnswers) {
+TEST(Sessions, ABodyOfAWrongSizeAnswers) {
   for (const std::size_t size : {0U, 26U}) {
     Simulation line;
     line.board = [&](const Written&) { line.say(realtime_data_custom, body_of(size)); };
@@ -70,8 +69,7 @@ TEST(Session, ABodyOfAWrongSizeAnswers) {
   }
 }
 
-TEST(Session, ALateBodyOfAWrongSizeIsLate) {
-  Simulation line;
+TEST_F(Matching, ALateBodyOfAWrongSizeIsLate) {
   line.board = [&](const Written& frame) {
     const bool is_first = line.written.size() == 1;
     line.say(realtime_data_custom, is_first ? body_of(26) : body_of(frame.body[0] == 1 ? 8 : 26),
@@ -87,8 +85,7 @@ TEST(Session, ALateBodyOfAWrongSizeIsLate) {
   EXPECT_EQ(line.session.statistics().late_replies, 1U);
 }
 
-TEST(Session, ABodyOfTheRightSizeIsMeantForWhatHasIt) {
-  Simulation line;
+TEST_F(Matching, ABodyOfTheRightSizeIsMeantForWhatHasIt) {
   line.board = [&](const Written& frame) {
     if (frame.body[0] == 1) line.say(realtime_data_custom, body_of(8), milliseconds(3));
   };
@@ -97,8 +94,7 @@ TEST(Session, ABodyOfTheRightSizeIsMeantForWhatHasIt) {
   EXPECT_EQ(line.outcome(silent), Outcome::timeout);
 }
 
-TEST(Session, RequestsThatCouldBeConfusedWaitAndOthersOvertake) {
-  Simulation line;
+TEST_F(Matching, RequestsThatCouldBeConfusedWaitAndOthersOvertake) {
   line.board = [&](const Written& frame) {
     line.say(frame.id, body_of(frame.id == board_info ? 18 : 4), milliseconds(100));
   };
@@ -111,8 +107,7 @@ TEST(Session, RequestsThatCouldBeConfusedWaitAndOthersOvertake) {
   EXPECT_EQ(line.outcome(second), Outcome::answered);
 }
 
-TEST(Session, RequestsOfOneHostDoNotWaitForEachOther) {
-  Simulation line;
+TEST_F(Matching, RequestsOfOneHostDoNotWaitForEachOther) {
   const Handle first = line.send(msg::BoardInfoRequest{}, {.host = 1});
   const Handle second = line.send(msg::BoardInfoRequest{}, {.host = 1});
   line.send(msg::BoardInfoRequest{}, {.host = 2});
@@ -129,8 +124,7 @@ TEST(Session, RequestsOfOneHostDoNotWaitForEachOther) {
   EXPECT_THAT(line.written, SizeIs(4));
 }
 
-TEST(Session, AnErrorWhileACalibrationRunsIsThatOfAnother) {
-  Simulation line;
+TEST_F(Matching, AnErrorWhileACalibrationRunsIsThatOfAnother) {
   const Handle running = line.send(msg::CalibPoles{});
   line.run_for(milliseconds(100));
   line.board = [&](const Written& frame) { line.say(error, {frame.id, 7, 0, 0, 0, 0}); };
@@ -142,8 +136,8 @@ TEST(Session, AnErrorWhileACalibrationRunsIsThatOfAnother) {
   EXPECT_EQ(line.outcome(running), Outcome::confirmed);
 }
 
-TEST(Session, AnErrorWhileAModuleIsLoadedIsThatOfTheFirstPart) {
-  Simulation line;  // whose board works on one part after the other, each for up to 5 s
+TEST_F(Matching, AnErrorWhileAModuleIsLoadedIsThatOfTheFirstPart) {
+  // whose board works on one part after the other, each for up to 5 s
   msg::ModuleFlashWrite part;
   ASSERT_TRUE(part.data.resize(4));
   const Handle first = line.send(part);
@@ -155,8 +149,7 @@ TEST(Session, AnErrorWhileAModuleIsLoadedIsThatOfTheFirstPart) {
   EXPECT_EQ(line.outcome(second), Outcome::none);
 }
 
-TEST(Session, NoRequestOvertakesOneThatItCouldBeConfusedWith) {
-  Simulation line;
+TEST_F(Matching, NoRequestOvertakesOneThatItCouldBeConfusedWith) {
   line.board = [&](const Written& frame) {
     const std::uint8_t profile = frame.body[0] == 255 ? 3 : frame.body[0];
     line.say(read_params_3, body_of(134, {profile}), milliseconds(100));
@@ -171,8 +164,7 @@ TEST(Session, NoRequestOvertakesOneThatItCouldBeConfusedWith) {
   EXPECT_EQ(line.outcome(active), Outcome::answered) << "by profile 3";
 }
 
-TEST(Session, ReadsOfFilesFollowEachOtherBecauseOfTheirErrors) {
-  Simulation line;
+TEST_F(Matching, ReadsOfFilesFollowEachOtherBecauseOfTheirErrors) {
   line.board = [&](const Written& frame) {
     const bool is_good = frame.body[2] == 0;
     line.say(read_file, is_good ? body_of(20, {9, 0, 0, 0}) : body_of(1, {2}));
@@ -187,25 +179,23 @@ TEST(Session, ReadsOfFilesFollowEachOtherBecauseOfTheirErrors) {
   EXPECT_EQ(line.completion(bad)->body, body_of(1, {2}));
 }
 
-TEST(Session, AConfirmationWithTheAddressOfAnotherBlockIsNotMeant) {
-  Simulation line;
+TEST_F(Matching, AConfirmationWithTheAddressOfAnotherBlockIsNotMeant) {
   line.board = [&](const Written&) {
     line.say(confirm, {eeprom_write, 64, 0, 0, 0}, milliseconds(3));
     line.say(confirm, {eeprom_write, 128, 0, 0, 0}, milliseconds(50));
   };
-  msg::EepromWrite request;
-  request.addr = 128;
+  msg::EepromWrite request{.addr = 128};
   const Handle handle = line.send(request);
   line.run_for(milliseconds(10));
   EXPECT_EQ(line.outcome(handle), Outcome::none);
   line.run();
   EXPECT_EQ(line.outcome(handle), Outcome::confirmed);
   // Boards may omit the address.
-  line.board = [&](const Written& frame) { line.confirm(frame.id); };
+  confirm_all();
   EXPECT_EQ(line.ask(request), Outcome::confirmed);
 }
 
-TEST(Session, AConfirmationCanTellOfAFailure) {
+TEST(Sessions, AConfirmationCanTellOfAFailure) {
   for (const int result : {0, 4}) {
     Simulation line;
     line.board = [&](const Written& frame) {
@@ -220,8 +210,7 @@ TEST(Session, AConfirmationCanTellOfAFailure) {
 
 // Errors
 
-TEST(Session, AnErrorThatNamesItsCommandEndsTheRequest) {
-  Simulation line;
+TEST_F(Matching, AnErrorThatNamesItsCommandEndsTheRequest) {
   line.board = [&](const Written& frame) {
     if (frame.id == motors_on) {
       line.say(error, {motors_on, 7, 0, 0, 0, 0});
@@ -238,8 +227,7 @@ TEST(Session, AnErrorThatNamesItsCommandEndsTheRequest) {
   EXPECT_THAT(line.of(EventKind::board_error), SizeIs(0));
 }
 
-TEST(Session, AnErrorWithoutCommandBelongsToTheOnlyRequest) {
-  Simulation line;
+TEST_F(Matching, AnErrorWithoutCommandBelongsToTheOnlyRequest) {
   line.board = [&](const Written&) { line.say(error, {7, 0, 0, 0, 0}, milliseconds(50)); };
   EXPECT_EQ(line.ask(msg::MotorsOn{}), Outcome::board_error);
 
@@ -254,8 +242,7 @@ TEST(Session, AnErrorWithoutCommandBelongsToTheOnlyRequest) {
   EXPECT_THAT(line.of(EventKind::board_error), SizeIs(1));
 }
 
-TEST(Session, AnErrorForWhatIsOverIsLate) {
-  Simulation line;
+TEST_F(Matching, AnErrorForWhatIsOverIsLate) {
   line.board = [&](const Written& frame) {
     if (frame.id == control) line.say(error, {control, 1, 0, 0, 0, 0});
   };
@@ -268,8 +255,7 @@ TEST(Session, AnErrorForWhatIsOverIsLate) {
 
 // Resets
 
-TEST(Session, AResetEndsWhateverIsOpen) {
-  Simulation line;
+TEST_F(Matching, AResetEndsWhateverIsOpen) {
   line.board = [&](const Written& frame) {
     if (frame.id == motors_on) line.say(reset, {});
   };
@@ -285,8 +271,7 @@ TEST(Session, AResetEndsWhateverIsOpen) {
   EXPECT_EQ(line.session.open_requests(), 0U);
 }
 
-TEST(Session, ARequestWaitsUntilTheBoardHasRestarted) {
-  Simulation line;
+TEST_F(Matching, ARequestWaitsUntilTheBoardHasRestarted) {
   line.send(msg::I2cReadRegBufRequest{}, {.timeout = seconds(30)});
   line.run_for(milliseconds(1));
   line.say(reset, {});
@@ -298,21 +283,7 @@ TEST(Session, ARequestWaitsUntilTheBoardHasRestarted) {
   EXPECT_EQ(line.written[1].at, told + milliseconds(roles::reset_delay_ms + 500));
 }
 
-TEST(Session, AResetThatWasAskedForAnswers) {
-  Simulation line;
-  line.board = [&](const Written& frame) {
-    if (frame.body.size() == 3 && frame.body[0] == 1) line.say(reset, {});
-  };
-  msg::ResetRequestExt request;
-  request.confirm.set(msg::ResetOption::notify);
-  EXPECT_EQ(line.ask(request), Outcome::answered);
-  EXPECT_THAT(line.of(EventKind::reset), SizeIs(1));
-  request.confirm = {};
-  EXPECT_EQ(line.ask(request), Outcome::sent);
-}
-
-TEST(Session, WhatIsSentWhileTheResetIsReportedIsAnotherRequest) {
-  Simulation line;
+TEST_F(Matching, WhatIsSentWhileTheResetIsReportedIsAnotherRequest) {
   Handle next;
   line.on_event = [&](const Record& record) {
     if (record.event.kind == EventKind::reset) next = line.send(msg::BoardInfoRequest{});
@@ -328,8 +299,7 @@ TEST(Session, WhatIsSentWhileTheResetIsReportedIsAnotherRequest) {
   EXPECT_EQ(line.outcome(next), Outcome::answered);
 }
 
-TEST(Session, AnAbandonedLinkEndsEverything) {
-  Simulation line;
+TEST_F(Matching, AnAbandonedLinkEndsEverything) {
   const Handle sent = line.send(msg::MotorsOn{});
   line.run_for({});
   ASSERT_THAT(line.written, SizeIs(1));
@@ -338,7 +308,7 @@ TEST(Session, AnAbandonedLinkEndsEverything) {
   EXPECT_EQ(line.outcome(sent), Outcome::link_lost);
   EXPECT_EQ(line.outcome(waiting), Outcome::link_lost);
   // No state of the old link remains.
-  line.board = [&](const Written& frame) { line.confirm(frame.id); };
+  confirm_all();
   const Handle next = line.send(msg::MotorsOn{});
   line.run_for(milliseconds(4));
   EXPECT_EQ(line.outcome(next), Outcome::confirmed) << "it need not wait for late replies";

@@ -5,6 +5,9 @@
 namespace sbgc::test {
 namespace {
 
+using Order = LineTest;
+using Stop = LineTest;
+
 /// The longest pause after a small command, and the time of its frame on a line of the default
 /// speed.
 constexpr Duration pause = milliseconds(11);
@@ -22,8 +25,7 @@ msg::WriteParams3 write(std::uint8_t profile) {
   return request;
 }
 
-TEST(Order, WhatHasAnEffectWaitsForNoResponse) {
-  Simulation line;
+TEST_F(Order, WhatHasAnEffectWaitsForNoResponse) {
   line.send(msg::MotorsOn{});
   line.send(msg::MotorsOn{});
   line.send(write(1));
@@ -32,8 +34,8 @@ TEST(Order, WhatHasAnEffectWaitsForNoResponse) {
   EXPECT_LE(line.written[1].at - line.written[0].at, pause);
 }
 
-TEST(Order, NothingIsRepeatedAfterALaterRequest) {
-  Simulation line;  // whose board never responds
+TEST_F(Order, NothingIsRepeatedAfterALaterRequest) {
+  // whose board never responds
   const Handle on = line.send(msg::MotorsOn{});
   line.run_for(milliseconds(400));
   const Handle again = line.send(msg::MotorsOn{});
@@ -45,8 +47,7 @@ TEST(Order, NothingIsRepeatedAfterALaterRequest) {
   for (const Handle handle : {on, again, off}) EXPECT_EQ(line.outcome(handle), Outcome::timeout);
 }
 
-TEST(Order, OfAnotherHostDoesNotMatter) {
-  Simulation line;
+TEST_F(Order, OfAnotherHostDoesNotMatter) {
   line.send(msg::MotorsOn{}, {.host = 1});
   line.send(write(1), {.host = 2});
   line.run();
@@ -54,8 +55,7 @@ TEST(Order, OfAnotherHostDoesNotMatter) {
                                                       write_params_3, motors_on, write_params_3));
 }
 
-TEST(Order, AReadDoesNotEndTheRepetitionOfAWrite) {
-  Simulation line;
+TEST_F(Order, AReadDoesNotEndTheRepetitionOfAWrite) {
   line.board = [&](const Written& frame) {
     if (frame.id == board_info) line.say(board_info, body_of(18));
   };
@@ -66,8 +66,7 @@ TEST(Order, AReadDoesNotEndTheRepetitionOfAWrite) {
               ElementsAre(write_params_3, board_info, write_params_3, write_params_3));
 }
 
-TEST(Order, AReadAfterAWriteIsNotSentBefore) {
-  Simulation line;
+TEST_F(Order, AReadAfterAWriteIsNotSentBefore) {
   std::uint8_t stored = 0;
   line.board = [&](const Written& frame) {
     if (frame.id == write_params_3) stored = frame.body[1];  // and all confirmations are lost
@@ -85,8 +84,7 @@ TEST(Order, AReadAfterAWriteIsNotSentBefore) {
   EXPECT_EQ(stored, 2);
 }
 
-TEST(Stop, IsSentNextAndSupersedesQueuedMotion) {
-  Simulation line;
+TEST_F(Stop, IsSentNextAndSupersedesQueuedMotion) {
   std::vector<Handle> motions;
   for (int speed = 1; speed < 6; ++speed) motions.push_back(line.send(turn(speed)));
   line.run_for(Duration{});
@@ -101,8 +99,7 @@ TEST(Stop, IsSentNextAndSupersedesQueuedMotion) {
   EXPECT_LE(line.written[1].at - line.written[0].at, pause);
 }
 
-TEST(Stop, SupersedesMotionOfAllHostsAndNothingElse) {
-  Simulation line;
+TEST_F(Stop, SupersedesMotionOfAllHostsAndNothingElse) {
   line.send(msg::BoardInfoRequest{}, {.host = 1});
   line.run_for(Duration{});
   const Handle beep = line.send(msg::BeepSound{}, {.host = 1});
@@ -116,8 +113,7 @@ TEST(Stop, SupersedesMotionOfAllHostsAndNothingElse) {
   EXPECT_EQ(line.outcome(other), Outcome::superseded);
 }
 
-TEST(Stop, IsNotSupersededByALaterOne) {
-  Simulation line;
+TEST_F(Stop, IsNotSupersededByALaterOne) {
   line.send(turn(1));
   line.run_for(Duration{});
   line.send(msg::MotorsOff{});
@@ -126,8 +122,8 @@ TEST(Stop, IsNotSupersededByALaterOne) {
   EXPECT_THAT(ids(line.written), ElementsAre(control, motors_off, control));
 }
 
-TEST(Stop, DoesNotSupersedeWhatWasSentAndIsDueAgain) {
-  Simulation line;  // whose board never responds
+TEST_F(Stop, DoesNotSupersedeWhatWasSentAndIsDueAgain) {
+  // whose board never responds
   const Handle on = line.send(msg::MotorsOn{}, {.timeout = milliseconds(5)});
   line.run_for(milliseconds(7));  // it is to be sent again after the pause
   line.send(msg::MotorsOff{}, {.attempts = 1});
@@ -136,8 +132,7 @@ TEST(Stop, DoesNotSupersedeWhatWasSentAndIsDueAgain) {
   EXPECT_EQ(line.outcome(on), Outcome::timeout);
 }
 
-TEST(Stop, IsNotHeldUpByAnything) {
-  Simulation line;
+TEST_F(Stop, IsNotHeldUpByAnything) {
   line.send(msg::I2cReadRegBufRequest{});
   line.send(msg::I2cReadRegBufRequest{});
   line.run_for(milliseconds(1));
@@ -146,8 +141,7 @@ TEST(Stop, IsNotHeldUpByAnything) {
   EXPECT_THAT(ids(line.written), ElementsAre(i2c_read, motors_off));
 }
 
-TEST(Stop, ThatIsCancelledSupersedesNothing) {
-  Simulation line;
+TEST_F(Stop, ThatIsCancelledSupersedesNothing) {
   line.send(turn(1));
   line.run_for(Duration{});
   const Handle motion = line.send(turn(2));
@@ -157,7 +151,7 @@ TEST(Stop, ThatIsCancelledSupersedesNothing) {
   EXPECT_EQ(line.outcome(motion), Outcome::sent);
 }
 
-TEST(Stop, IsWhatTheSpecificationSays) {
+TEST(StopRules, IsWhatTheSpecificationSays) {
   const auto stops = [](const auto& request) { return response_policy(request).stops; };
   EXPECT_TRUE(stops(msg::MotorsOff{}));
   EXPECT_TRUE(stops(msg::MotorsOffExt{}));
@@ -177,7 +171,7 @@ TEST(Stop, IsWhatTheSpecificationSays) {
   EXPECT_TRUE(stops(msg::ControlQuatSpeed{}));
 }
 
-TEST(Pacing, AStreamOfControlsIsSentAtItsRate) {
+TEST(ControlRate, AStreamOfControlsIsSentAtItsRate) {
   Simulation line({.line = {115200, Parity::none}});  // its board confirms nothing
   constexpr int count = 500;
   std::mt19937 random(1);
@@ -192,7 +186,7 @@ TEST(Pacing, AStreamOfControlsIsSentAtItsRate) {
   EXPECT_THAT(line.written, SizeIs(count));
 }
 
-TEST(Pacing, ALineThatWasIdleIsNotLate) {
+TEST(ControlRate, ALineThatWasIdleIsNotLate) {
   Simulation line({.line = {115200, Parity::none}});
   const auto send_two = [&](int speed) {
     line.send(turn(speed));

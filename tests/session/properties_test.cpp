@@ -87,8 +87,7 @@ class Chaos {
     switch (upto(6)) {
       case 0: sent = line.session.send(msg::BoardInfoRequest{}); break;
       case 1: {
-        msg::ReadParams3Request request;
-        request.profile_id = tag;
+        msg::ReadParams3Request request{.profile_id = tag};
         sent = line.session.send(request);
         break;
       }
@@ -254,8 +253,7 @@ TEST_P(Schedules, NorOverALineThatRepeats) {
   with_each_session([]<class Session>() {
     Weather weather = bad;
     weather.repeated = 30;
-    SessionOptions options;
-    options.duplicate_window = milliseconds(100);
+    SessionOptions options{.duplicate_window = milliseconds(100)};
     Chaos<Session> chaos(GetParam(), weather, options);
     chaos.run(300);
     EXPECT_GT(chaos.count(Outcome::answered), 0U);

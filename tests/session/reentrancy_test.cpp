@@ -7,12 +7,13 @@
 namespace sbgc::test {
 namespace {
 
+using Reentrancy = LineTest;
+
 constexpr std::uint8_t realtime_data_3 = 23;
 
 msg::DataStreamInterval stream_of(std::uint8_t command, std::uint16_t interval_ms) {
-  msg::DataStreamInterval request;
-  request.cmd_id = static_cast<msg::CommandFromBoard>(command);
-  request.interval_ms = msg::Milliseconds(interval_ms);
+  msg::DataStreamInterval request{.cmd_id = static_cast<msg::CommandFromBoard>(command),
+                                  .interval_ms = msg::Milliseconds(interval_ms)};
   return request;
 }
 
@@ -38,7 +39,7 @@ void expect_stream_runs(Simulation& line, Handle asked) {
   EXPECT_EQ(line.of(EventKind::unsolicited).size(), 0U);
 }
 
-TEST(Reentrancy, AStreamAskedForWhenTheBoardRestartsRuns) {
+TEST(ReentrancyRules, AStreamAskedForWhenTheBoardRestartsRuns) {
   for (const bool in_event : {true, false}) {  // or when a request ends with the reset
     Simulation line;
     ask_in_vain(line);
@@ -58,8 +59,7 @@ TEST(Reentrancy, AStreamAskedForWhenTheBoardRestartsRuns) {
   }
 }
 
-TEST(Reentrancy, AStreamAskedForWhenTheBoardAnswersAResetRuns) {
-  Simulation line;
+TEST_F(Reentrancy, AStreamAskedForWhenTheBoardAnswersAResetRuns) {
   Handle again;
   line.on_event = [&](const Record& record) {
     if (record.event.outcome != Outcome::answered) return;
@@ -76,8 +76,7 @@ TEST(Reentrancy, AStreamAskedForWhenTheBoardAnswersAResetRuns) {
   expect_stream_runs(line, again);
 }
 
-TEST(Reentrancy, AStreamAskedForWhenTheLinkIsLostRunsOnTheNextOne) {
-  Simulation line;
+TEST_F(Reentrancy, AStreamAskedForWhenTheLinkIsLostRunsOnTheNextOne) {
   ask_in_vain(line);
   Handle again;
   line.on_event = [&](const Record& record) {
@@ -88,13 +87,12 @@ TEST(Reentrancy, AStreamAskedForWhenTheLinkIsLostRunsOnTheNextOne) {
   line.session.abandon(line.sink());
   EXPECT_EQ(line.session.open_requests(), 1U);
   EXPECT_EQ(line.session.stream_usage().used, load_of_4) << "it is being requested";
-  line.board = [&](const Written& frame) { line.confirm(frame.id); };
+  confirm_all();
   line.run();
   expect_stream_runs(line, again);
 }
 
-TEST(Reentrancy, AStreamAfterARequestThatRestartsTheBoardRuns) {
-  Simulation line;
+TEST_F(Reentrancy, AStreamAfterARequestThatRestartsTheBoardRuns) {
   line.board = [&](const Written& frame) {
     if (frame.id == stream_interval) line.confirm(frame.id);
   };

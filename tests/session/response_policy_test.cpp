@@ -134,9 +134,7 @@ TEST(ResponsePolicy, CalibrationsConfirmTwice) {
 TEST(ResponsePolicy, WhatTogglesOrStartsIsNotRepeated) {
   using msg::MenuCommand;
   const auto is_safe = [](MenuCommand action) {
-    msg::ExecuteMenuExt with_confirmation;
-    with_confirmation.cmd_id = action;
-    with_confirmation.param = msg::ExecuteMenuFlag::confirm;
+    msg::ExecuteMenuExt with_confirmation{.cmd_id = action, .param = msg::ExecuteMenuFlag::confirm};
     const bool safe = response_policy(with_confirmation).retry_is_safe;
     EXPECT_EQ(response_policy(msg::ExecuteMenu{action}).retry_is_safe, safe);
     return safe;
@@ -185,24 +183,19 @@ void expect_field(const CorrelationField& field, const Repeated& repeated) {
 }
 
 TEST(ResponsePolicy, AnswersRepeatPartsOfTheRequest) {
-  msg::ReadParamsExt2Request params;
-  params.profile_id = 3;
+  msg::ReadParamsExt2Request params{.profile_id = 3};
   expect_field(response_policy(params).responses.forms[0].correlation[0], {0, 1, 3});
   params.profile_id = 255;
   EXPECT_EQ(response_policy(params).responses.forms[0].correlation[0].size, 0);
-  msg::EepromReadRequest memory;
-  memory.addr = 0x12345640;
+  msg::EepromReadRequest memory{.addr = 0x12345640};
   expect_field(response_policy(memory).responses.forms[0].correlation[0], {0, 4, 0x12345640});
-  msg::ReadFileRequest file;
-  file.page_offset = msg::Pages(0x0102);
+  msg::ReadFileRequest file{.page_offset = msg::Pages(0x0102)};
   expect_field(response_policy(file).responses.forms[0].correlation[0], {2, 2, 0x0102});
   EXPECT_TRUE(response_policy(file).responses.forms[1].is_error);
   EXPECT_EQ(response_policy(file).responses.forms[1].max_size, 1);
-  msg::CalibInfoRequest calibration;
-  calibration.imu_type = msg::SelectedImu::frame;
+  msg::CalibInfoRequest calibration{.imu_type = msg::SelectedImu::frame};
   expect_field(response_policy(calibration).responses.forms[0].correlation[0], {1, 1, 2});
-  msg::EepromWrite write;
-  write.addr = 64;
+  msg::EepromWrite write{.addr = 64};
   expect_field(response_policy(write).responses.confirmation, {1, 4, 64});
   EXPECT_EQ(response_policy(msg::WriteFile{}).result.offset, 1);
   EXPECT_EQ(response_policy(msg::WriteFile{}).result.size, 1);
@@ -213,8 +206,7 @@ TEST(ResponsePolicy, AnswersRepeatPartsOfTheRequest) {
 /// A response with the requested values matches; a response with any other value in a correlation
 /// field does not.
 TEST(ResponsePolicy, CorrelationFieldsDecideWhatFits) {
-  msg::EepromReadRequest request;
-  request.addr = 0xA0B0C0;
+  msg::EepromReadRequest request{.addr = 0xA0B0C0};
   const Responses responses = response_policy(request).responses;
   std::vector<std::uint8_t> body = {0xC0, 0xB0, 0xA0, 0x00, 1, 2, 3};
   EXPECT_NE(responses.form_of({48, body, 0}), nullptr);
@@ -243,8 +235,7 @@ TEST(ResponsePolicy, ThoseThatOneFrameFitsCanBeConfused) {
     return first.can_be_confused_with(second);
   };
   msg::ReadParams3Request one;
-  msg::ReadParams3Request two;
-  two.profile_id = 1;
+  msg::ReadParams3Request two{.profile_id = 1};
   EXPECT_TRUE(confused(one, one));
   EXPECT_FALSE(confused(one, two));
   two.profile_id = 255;
@@ -255,8 +246,7 @@ TEST(ResponsePolicy, ThoseThatOneFrameFitsCanBeConfused) {
   EXPECT_TRUE(confused(msg::Control{}, msg::ControlExt{}));
   EXPECT_FALSE(confused(msg::MotorsOn{}, msg::MotorsOff{}));
   msg::EepromWrite write;
-  msg::EepromWrite elsewhere;
-  elsewhere.addr = 64;
+  msg::EepromWrite elsewhere{.addr = 64};
   EXPECT_TRUE(confused(write, elsewhere)) << "the address may be missing";
 }
 

@@ -5,6 +5,8 @@
 namespace sbgc::test {
 namespace {
 
+using Series = LineTest;
+
 constexpr std::uint8_t test = 37;  // the start and the end of a recording
 constexpr std::uint8_t data = 38;
 
@@ -26,7 +28,7 @@ std::size_t in_series(const Line& line, Handle handle) {
   return count;
 }
 
-TEST(Series, EndsWithTheResponseHoweverLongItTakes) {
+TEST(SeriesRules, EndsWithTheResponseHoweverLongItTakes) {
   for (const int confirmed_after : {3, 1500, 0}) {  // before the data, after the first, never
     Simulation line;
     line.board = [&](const Written&) {
@@ -44,7 +46,7 @@ TEST(Series, EndsWithTheResponseHoweverLongItTakes) {
   }
 }
 
-TEST(Series, IsOverAfterSilence) {
+TEST(SeriesRules, IsOverAfterSilence) {
   for (const bool is_confirmed : {false, true}) {
     Simulation line;
     line.board = [&](const Written&) {
@@ -62,8 +64,7 @@ TEST(Series, IsOverAfterSilence) {
   }
 }
 
-TEST(Series, WithoutEndIsLimited) {
-  Simulation line;
+TEST_F(Series, WithoutEndIsLimited) {
   line.board = [&](const Written&) { say_data(line, 3800, milliseconds(500)); };
   const Handle handle = line.send(msg::BodeTestStartStopRequest{});
   line.run();
@@ -73,14 +74,12 @@ TEST(Series, WithoutEndIsLimited) {
   EXPECT_LT(after, seconds(3601));
 }
 
-TEST(Series, MayBeRefused) {
-  Simulation line;
+TEST_F(Series, MayBeRefused) {
   line.board = [&](const Written&) { line.say(error, body_of(6, {test, 3})); };
   EXPECT_EQ(line.ask(msg::BodeTestStartStopRequest{}), Outcome::board_error);
 }
 
-TEST(Series, OfNoRequestIsUnsolicited) {
-  Simulation line;
+TEST_F(Series, OfNoRequestIsUnsolicited) {
   line.board = [&](const Written&) {
     line.say(data, body_of(17));
     line.say(realtime_data_4, body_of(124), milliseconds(5));
@@ -92,8 +91,7 @@ TEST(Series, OfNoRequestIsUnsolicited) {
   EXPECT_FALSE(line.events.front().event.handle);
 }
 
-TEST(Series, OtherRequestsAreAnsweredMeanwhile) {
-  Simulation line;
+TEST_F(Series, OtherRequestsAreAnsweredMeanwhile) {
   line.board = [&](const Written& frame) {
     if (frame.id != test) return line.say(realtime_data_4, body_of(124));
     say_data(line, 4, milliseconds(1000));
@@ -108,7 +106,7 @@ TEST(Series, OtherRequestsAreAnsweredMeanwhile) {
   EXPECT_EQ(line.outcome(recording), Outcome::answered);
 }
 
-TEST(Series, ASessionForOneRequestDoesNotKnowThem) {
+TEST(SeriesRules, ASessionForOneRequestDoesNotKnowThem) {
   using Small = BasicSession<SessionCapacity{.requests = 1, .optimize = Optimize::size}>;
   Basic<Small> line;
   line.board = [&](const Written&) {

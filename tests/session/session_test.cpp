@@ -6,8 +6,9 @@
 namespace sbgc::test {
 namespace {
 
-TEST(Session, TakesTheAnswerOfARequest) {
-  Simulation line;
+using Rules = LineTest;
+
+TEST_F(Rules, TakesTheAnswerOfARequest) {
   line.board = [&](const Written&) { line.say(board_info, body_of(18, {31})); };
   const Handle handle = line.send(msg::BoardInfoRequest{});
   line.run();
@@ -20,8 +21,7 @@ TEST(Session, TakesTheAnswerOfARequest) {
   EXPECT_EQ(line.session.open_requests(), 0U);
 }
 
-TEST(Session, IsDoneWithARequestThatNeedsNoAnswer) {
-  Simulation line;
+TEST_F(Rules, IsDoneWithARequestThatNeedsNoAnswer) {
   const Handle handle = line.send(msg::Control{});
   EXPECT_EQ(line.outcome(handle), Outcome::none) << "before it is written";
   line.run();
@@ -29,9 +29,8 @@ TEST(Session, IsDoneWithARequestThatNeedsNoAnswer) {
   EXPECT_THAT(ids(line.written), ElementsAre(control));
 }
 
-TEST(Session, WaitsForACertainConfirmation) {
-  Simulation line;
-  line.board = [&](const Written& frame) { line.confirm(frame.id); };
+TEST_F(Rules, WaitsForACertainConfirmation) {
+  confirm_all();
   const Handle handle = line.send(msg::MotorsOn{});
   line.run();
   EXPECT_EQ(line.outcome(handle), Outcome::confirmed);
@@ -57,7 +56,7 @@ void expect_to_wait_only_if_told(const Request& request) {
   }
 }
 
-TEST(Session, RepeatsWhatIsNotConfirmedIfToldAndSafe) {
+TEST(Sessions, RepeatsWhatIsNotConfirmedIfToldAndSafe) {
   for (const auto mode : {msg::ScriptMode::stop, msg::ScriptMode::start}) {
     Simulation line;
     const bool is_safe = mode == msg::ScriptMode::stop;
@@ -71,15 +70,14 @@ TEST(Session, RepeatsWhatIsNotConfirmedIfToldAndSafe) {
   }
 }
 
-TEST(Session, WaitsForAPossibleOrUnlikelyConfirmationOnlyIfTold) {
+TEST(Sessions, WaitsForAPossibleOrUnlikelyConfirmationOnlyIfTold) {
   expect_to_wait_only_if_told(msg::ExecuteMenu{});
   msg::ApiVirtChControl request;
   request.val_ch.push_back({});
   expect_to_wait_only_if_told(request);
 }
 
-TEST(Session, DoesNotTakeTheConfirmationOfAnEarlierRequestForThatOfALaterOne) {
-  Simulation line;
+TEST_F(Rules, DoesNotTakeTheConfirmationOfAnEarlierRequestForThatOfALaterOne) {
   int frames = 0;
   line.board = [&](const Written& frame) {
     if (++frames == 1) line.confirm(frame.id, milliseconds(200));
@@ -91,8 +89,7 @@ TEST(Session, DoesNotTakeTheConfirmationOfAnEarlierRequestForThatOfALaterOne) {
   EXPECT_FALSE(line.of(EventKind::confirmation)[0].event.handle);
 }
 
-TEST(Session, CountsTheConfirmationsOfACalibration) {
-  Simulation line;
+TEST_F(Rules, CountsTheConfirmationsOfACalibration) {
   line.board = [&](const Written& frame) {
     line.confirm(frame.id, milliseconds(5));
     line.confirm(frame.id, seconds(12));
@@ -110,16 +107,14 @@ TEST(Session, CountsTheConfirmationsOfACalibration) {
   EXPECT_THAT(line.written, SizeIs(1)) << "a calibration is not repeated";
 }
 
-TEST(Session, ACalibrationThatIsNotConfirmedAtOnceHasNotBegun) {
-  Simulation line;
+TEST_F(Rules, ACalibrationThatIsNotConfirmedAtOnceHasNotBegun) {
   const Handle handle = line.send(msg::CalibGyro{});
   line.run_for(seconds(1));
   EXPECT_EQ(line.outcome(handle), Outcome::timeout) << "the board ignores wrong parameters";
 }
 
-TEST(Session, ACalibrationMayFailToEnd) {
-  Simulation line;
-  line.board = [&](const Written& frame) { line.confirm(frame.id); };
+TEST_F(Rules, ACalibrationMayFailToEnd) {
+  confirm_all();
   const Handle handle = line.send(msg::CalibGyro{});
   line.run_for(seconds(29));
   EXPECT_EQ(line.outcome(handle), Outcome::none);
@@ -127,18 +122,9 @@ TEST(Session, ACalibrationMayFailToEnd) {
   EXPECT_EQ(line.outcome(handle), Outcome::timeout);
 }
 
-TEST(Session, ACalibrationThatRestartsTheBoardIsConfirmedOnce) {
-  Simulation line;
-  line.board = [&](const Written& frame) { line.confirm(frame.id); };
-  msg::CalibGyroExt request;
-  request.action = msg::CalibAction::reset;
-  EXPECT_EQ(line.ask(request), Outcome::confirmed);
-}
-
 // Overload
 
-TEST(Session, RefusesWhatItCannotHold) {
-  Simulation line;
+TEST_F(Rules, RefusesWhatItCannotHold) {
   std::vector<Handle> handles;
   for (std::size_t i = 0; i < SessionCapacity{}.requests; ++i) {
     handles.push_back(line.send(msg::MotorsOn{}));
@@ -149,7 +135,7 @@ TEST(Session, RefusesWhatItCannotHold) {
   EXPECT_EQ(line.session.send(77, {}, msg::response_policy(msg::MotorsOn{})).status,
             SendStatus::queue_full);
   EXPECT_EQ(line.session.statistics().refused, 2U);
-  line.board = [&](const Written& frame) { line.confirm(frame.id); };
+  confirm_all();
   line.run();
   for (const Handle handle : handles) EXPECT_EQ(line.outcome(handle), Outcome::confirmed);
   EXPECT_THAT(line.written, SizeIs(handles.size())) << "nothing is lost";
@@ -158,7 +144,7 @@ TEST(Session, RefusesWhatItCannotHold) {
 
 using Small = BasicSession<SessionCapacity{.requests = 8, .late_replies = 2, .streams = 1}>;
 
-TEST(Session, WaitsWhenThereIsNoRoomForLateReplies) {
+TEST(Sessions, WaitsWhenThereIsNoRoomForLateReplies) {
   Basic<Small> line;
   const SendOptions once{.attempts = 1, .timeout = milliseconds(5)};
   std::vector<Handle> handles;
@@ -171,7 +157,7 @@ TEST(Session, WaitsWhenThereIsNoRoomForLateReplies) {
   EXPECT_GT(line.written[2].at - line.written[0].at, milliseconds(500));
 }
 
-TEST(Session, WhatHasAnEffectDoesNotWaitForRoom) {
+TEST(Sessions, WhatHasAnEffectDoesNotWaitForRoom) {
   Basic<Small> line;
   std::vector<Handle> handles;
   handles.push_back(line.send(msg::Control{}));
@@ -183,7 +169,7 @@ TEST(Session, WhatHasAnEffectDoesNotWaitForRoom) {
   EXPECT_LT(line.written[3].at - line.written[0].at, milliseconds(100));
 }
 
-TEST(Session, KeepsRoomForTheLateRepliesOfWhatIsInFlight) {
+TEST(Sessions, KeepsRoomForTheLateRepliesOfWhatIsInFlight) {
   Basic<Small> line;
   line.send(msg::BoardInfoRequest{}, {.attempts = 1});
   line.send(msg::ReadParams3Request{}, {.attempts = 1});
@@ -195,8 +181,7 @@ TEST(Session, KeepsRoomForTheLateRepliesOfWhatIsInFlight) {
       << "until no response to the first request can come";
 }
 
-TEST(Session, RefusesWhatCannotBeEncoded) {
-  Simulation line;
+TEST_F(Rules, RefusesWhatCannotBeEncoded) {
   msg::DataStreamInterval request;
   request.cmd_id = msg::CommandFromBoard::realtime_data_custom;  // without its flags
   const SendResult result = line.session.send(request);
@@ -209,8 +194,7 @@ TEST(Session, RefusesWhatCannotBeEncoded) {
 
 // Time
 
-TEST(Session, TimeThatRunsBackwardsStandsStill) {
-  Simulation line;
+TEST_F(Rules, TimeThatRunsBackwardsStandsStill) {
   const Handle handle = line.send(msg::BoardInfoRequest{}, {.attempts = 1});
   line.run_for(milliseconds(100));
   line.now = line.now - seconds(500);
@@ -224,8 +208,7 @@ TEST(Session, TimeThatRunsBackwardsStandsStill) {
   EXPECT_EQ(line.outcome(handle), Outcome::timeout);
 }
 
-TEST(Session, TimeMayJump) {
-  Simulation line;
+TEST_F(Rules, TimeMayJump) {
   const Handle handle = line.send(msg::BoardInfoRequest{}, {.attempts = 1});
   line.run_for(milliseconds(1));
   line.now = line.now + seconds(1'000'000'000);

@@ -221,4 +221,15 @@ class Basic {
 
 using Simulation = Basic<>;
 
+/// A test with a session and its peer.
+class LineTest : public ::testing::Test {
+ protected:
+  /// From now on, the board confirms each request.
+  void confirm_all() {
+    line.board = [this](const Written& frame) { line.confirm(frame.id); };
+  }
+
+  Simulation line;
+};
+
 }  // namespace sbgc::test

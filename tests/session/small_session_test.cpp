@@ -5,6 +5,8 @@
 namespace sbgc::test {
 namespace {
 
+using LongTimes = LineTest;
+
 /// For requests of at most 24 bytes.
 using ControllerSession = BasicSession<
     SessionCapacity{
@@ -45,9 +47,8 @@ TEST(SmallSession, RefusesABodyLargerThanItsCapacity) {
 
 TEST(SmallSession, RefusesStreamsIfItHasNoRoomForThem) {
   Basic<ControllerSession> line;
-  msg::DataStreamInterval stream;
-  stream.cmd_id = msg::CommandFromBoard::realtime_data_3;
-  stream.interval_ms = msg::Milliseconds(20);
+  msg::DataStreamInterval stream{.cmd_id = msg::CommandFromBoard::realtime_data_3,
+                                 .interval_ms = msg::Milliseconds(20)};
   EXPECT_EQ(line.session.send(stream).status, SendStatus::too_many_streams);
   stream.interval_ms = msg::Milliseconds(0);
   EXPECT_TRUE(line.session.send(stream)) << "an end needs no room";
@@ -57,9 +58,7 @@ TEST(SmallSession, TheEndOfAnUnknownStreamDoesNotEndThatOfALaterRequest) {
   Basic<BasicSession<SessionCapacity{.streams = 1}>> line;
   line.board = [&](const Written& frame) { line.confirm(frame.id); };
   const auto stream_of = [](msg::CommandFromBoard command, std::uint16_t interval) {
-    msg::DataStreamInterval request;
-    request.cmd_id = command;
-    request.interval_ms = msg::Milliseconds(interval);
+    msg::DataStreamInterval request{.cmd_id = command, .interval_ms = msg::Milliseconds(interval)};
     return request;
   };
   line.send(stream_of(msg::CommandFromBoard::realtime_data_3, 100));
@@ -85,8 +84,7 @@ TEST(SmallSession, CountsOnlyFramesAndNoise) {
   EXPECT_EQ(statistics.sent_frames, 0U);
 }
 
-TEST(Session, RefusesATimeoutLongerThanItsTimers) {
-  Simulation line;
+TEST_F(LongTimes, RefusesATimeoutLongerThanItsTimers) {
   EXPECT_EQ(
       line.session.send(msg::BoardInfoRequest{}, {.timeout = longest_timeout + microseconds(1)})
           .status,
@@ -100,8 +98,7 @@ TEST(Session, RefusesATimeoutLongerThanItsTimers) {
 }
 
 // A timer has 32 bits; a deadline is a point in time, which may be far away.
-TEST(Session, KeepsADeadlineOfManyHours) {
-  Simulation line;
+TEST_F(LongTimes, KeepsADeadlineOfManyHours) {
   SendOptions options{.expect_confirmation = true, .timeout = longest_timeout};
   options.deadline = line.now + seconds(100'000);
   std::size_t asked = 0;
