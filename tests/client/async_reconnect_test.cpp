@@ -234,6 +234,20 @@ TEST_F(AsyncReconnecting, TheContextIsFreeAfterClose) {
   thread = std::thread([this] { context.run(); });
 }
 
+TEST_F(AsyncReconnecting, ACameraTurnsAgainOnlyIfItIsToldTo) {
+  connect();
+  SpeedControl control(*client, {.silence = std::chrono::hours(1)});
+  turn(control);
+  pull();
+  wait_until([&] { return control.state() != SpeedControl::State::turning; });
+  EXPECT_THAT(control.set({.yaw = 20_deg_per_s}), fails(ErrorCode::not_connected));
+  board.clear_log();
+  plug();
+  EXPECT_TRUE(ask().get());
+  EXPECT_EQ(board.count<msg::Control>(), 0U);
+  turn(control);
+}
+
 TEST_F(AsyncReconnecting, ACameraStopsWhenItsOwnerDies) {
   connect();
   std::optional<SpeedControl> control(std::in_place, *client);

@@ -1,5 +1,7 @@
 // Tests of calls and of all the ways in which they end.
 
+#include <sbgc/ostream.hpp>
+
 #include "testing.hpp"
 
 namespace sbgc::test {
@@ -424,6 +426,13 @@ TEST_F(Call, AStopSupersedesAllMotionThatIsQueued) {
   EXPECT_GT(superseded, 0);
   const std::size_t sent = motions + 1 - static_cast<std::size_t>(superseded);
   EXPECT_EQ(received.wait_for(sent).back(), 0) << "nothing follows the stop";
+}
+
+TEST(Errors, PrintTheirMessage) {
+  std::ostringstream text;
+  text << ClientError{ErrorCode::timeout, "no answer"} << '|' << ErrorCode::link_lost << '|'
+       << io::Error{io::Errc::busy, "ttyUSB0 is in use."};
+  EXPECT_EQ(text.str(), "no answer|link_lost|ttyUSB0 is in use.");
 }
 
 // Handlers

@@ -35,6 +35,14 @@ TEST_F(VirtualTime, ACancelledMoveStopsTheCamera) {
   EXPECT_NEAR(yaw_speed(), 0, 1);
 }
 
+TEST_F(VirtualTime, ADeadLineEndsAStopInTime) {
+  client.cut_the_line();
+  const Instant start = client.now();
+  EXPECT_THAT(client.run(tasks::stop()), fails(ErrorCode::timeout));
+  EXPECT_LE(client.now() - start, seconds(10));
+  EXPECT_EQ(client.pending(), 0U);
+}
+
 TEST_F(VirtualTime, AnAnswerOfOtherContentIsNoSampleOfTheStream) {
   using Flag = msg::RealtimeDataCustomFlag;
   std::vector<msg::RealtimeDataCustom> samples;

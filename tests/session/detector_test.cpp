@@ -220,35 +220,37 @@ TEST(Detector, LeavesOutWhatThePortCannotDo) {
   EXPECT_EQ(broken.taken, Duration{});
 }
 
+/// Runs the search up to the first request at a rate.
+DetectorStep request_at(Detector& detector, std::uint32_t baud_rate, Instant& now) {
+  for (int steps = 0; steps < 100'000; ++steps) {
+    const DetectorStep step = detector.next(now);
+    if (step.kind == DetectorStep::Kind::wait) now = step.until;
+    if (step.kind == DetectorStep::Kind::write && step.line.baud_rate == baud_rate) return step;
+  }
+  ADD_FAILURE() << "no request";
+  return {};
+}
+
 TEST(Detector, WaitsAsLongAsTheLineNeeds) {
   DetectorOptions options;
   options.response_timeout = Duration{};
   Detector detector(options);
   Instant now = start_time;
-  for (;;) {  // up to the first request at 9600 baud
-    const DetectorStep step = detector.next(now);
-    if (step.kind == DetectorStep::Kind::wait) now = step.until;
-    if (step.kind == DetectorStep::Kind::write && step.line.baud_rate == 9600) break;
-    ASSERT_NE(step.kind, DetectorStep::Kind::failed);
-  }
+  request_at(detector, 9600, now);
   // 5 bytes of request, 23 of response, 10 bits each.
   EXPECT_EQ(detector.next(now).until, now + wire_time({9600, Parity::none}, 28));
 }
 
 TEST(Detector, AsksWhatItIsTold) {
   const auto question = frame_of(86, body_of(9));
-  DetectorOptions options{.question = question};
+  DetectorOptions options;
+  options.question = question;
   Detector detector(options);
-  for (Instant now = start_time;;) {
-    const DetectorStep step = detector.next(now);
-    if (step.kind == DetectorStep::Kind::wait) now = step.until;
-    if (step.kind != DetectorStep::Kind::write) continue;
-    EXPECT_TRUE(std::equal(step.bytes.begin(), step.bytes.end(), question.begin(), question.end()));
-    const std::size_t bytes = question.size() + frame_size(18);
-    EXPECT_EQ(detector.next(now).until,
-              now + wire_time(step.line, bytes) + options.response_timeout);
-    break;
-  }
+  Instant now = start_time;
+  const DetectorStep step = request_at(detector, 115200, now);
+  EXPECT_TRUE(std::ranges::equal(step.bytes, question));
+  EXPECT_EQ(detector.next(now).until, now + wire_time(step.line, question.size() + frame_size(18)) +
+                                          options.response_timeout);
 }
 
 TEST(Detector, WithoutRoundsDoesNothing) {
