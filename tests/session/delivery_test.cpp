@@ -15,7 +15,7 @@ TEST_F(Delivery, RepeatsWhatIsSafeToRepeat) {
   };
   EXPECT_EQ(line.ask(msg::BoardInfoRequest{}), Outcome::answered);
   EXPECT_THAT(line.written, SizeIs(3));
-  EXPECT_GE(line.written[1].at - line.written[0].at, milliseconds(500));
+  EXPECT_GE(gap(1), milliseconds(500));
   const auto statistics = line.session.statistics();
   EXPECT_EQ(statistics.retries, 2U);
   EXPECT_EQ(statistics.timeouts, 2U);

@@ -63,8 +63,8 @@ TEST_F(Pacing, EndsWithTheResponse) {
   for (int i = 0; i < 3; ++i) line.send(msg::GetAnglesRequest{});
   line.run();
   ASSERT_THAT(line.written, SizeIs(3));
-  EXPECT_EQ(line.written[1].at - line.written[0].at, milliseconds(2));
-  EXPECT_EQ(line.written[2].at - line.written[1].at, milliseconds(2));
+  EXPECT_EQ(gap(1), milliseconds(2));
+  EXPECT_EQ(gap(2), milliseconds(2));
 }
 
 TEST_F(Pacing, EndsWithAConfirmationOrAnError) {
@@ -73,7 +73,7 @@ TEST_F(Pacing, EndsWithAConfirmationOrAnError) {
   line.send(msg::BeepSound{});
   line.run();
   ASSERT_THAT(line.written, SizeIs(2));
-  EXPECT_EQ(line.written[1].at - line.written[0].at, milliseconds(1));
+  EXPECT_EQ(gap(1), milliseconds(1));
 
   Simulation refused;
   refused.board = [&](const Written& frame) {
@@ -94,10 +94,10 @@ TEST_F(Pacing, IsKeptAfterAResponseToAnEarlierFrame) {
   line.send(msg::BeepSound{});
   line.send(msg::BeepSound{});
   line.run();
-  ASSERT_THAT(ids(line.written), ::testing::ElementsAre(73, 89, 89));
+  ASSERT_THAT(ids(line.written), ElementsAre(73, 89, 89));
   // The response arrives between the second frame and the third.
-  EXPECT_LT(line.written[1].at - line.written[0].at, milliseconds(11));
-  EXPECT_GE(line.written[2].at - line.written[1].at, milliseconds(10));
+  EXPECT_LT(gap(1), milliseconds(11));
+  EXPECT_GE(gap(2), milliseconds(10));
 }
 
 TEST_F(Pacing, IsKeptAfterAResponseToAResentFrame) {
@@ -113,8 +113,8 @@ TEST_F(Pacing, IsKeptAfterAResponseToAResentFrame) {
     }
   };
   line.run();
-  ASSERT_THAT(ids(line.written), ::testing::ElementsAre(73, 73, 89));
-  EXPECT_GE(line.written[2].at - line.written[1].at, milliseconds(10));
+  ASSERT_THAT(ids(line.written), ElementsAre(73, 73, 89));
+  EXPECT_GE(gap(2), milliseconds(10));
 }
 
 TEST(PacingRules, CanLastLongerThanTheResponse) {
@@ -188,14 +188,10 @@ TEST_F(Timeouts, FollowsTheLine) {
 
 // Data streams
 
-msg::DataStreamInterval stream_of(msg::CommandFromBoard command, std::uint16_t interval) {
-  msg::DataStreamInterval request{.cmd_id = command, .interval_ms = msg::Milliseconds(interval)};
-  return request;
-}
+using Of = msg::CommandFromBoard;
 
 msg::DataStreamInterval custom_stream(msg::RealtimeDataCustomFlags flags, std::uint16_t interval) {
-  msg::DataStreamInterval request =
-      stream_of(msg::CommandFromBoard::realtime_data_custom, interval);
+  msg::DataStreamInterval request = stream_of(Of::realtime_data_custom, interval);
   request.config.flags = flags;
   return request;
 }
@@ -210,22 +206,22 @@ TEST(Streams, TakeTheirShareOfTheLineOnceTheyAreConfirmed) {
   Simulation line(at(115200));
   line.board = [&](const Written& frame) { line.confirm(frame.id); };
   EXPECT_EQ(line.session.stream_usage().limit, 9216U);  // 80 % of 11520
-  line.send(stream_of(msg::CommandFromBoard::realtime_data_4, 20));
+  line.send(stream_of(Of::realtime_data_4, 20));
   EXPECT_EQ(line.session.stream_usage().used, 6450U) << "129 bytes, 50 times a second";
   line.run();
   EXPECT_EQ(line.session.stream_usage().used, 6450U);
-  line.send(stream_of(msg::CommandFromBoard::realtime_data_4, 100));
+  line.send(stream_of(Of::realtime_data_4, 100));
   EXPECT_EQ(line.session.stream_usage().used, 6450U) << "until it is confirmed";
   line.run();
   EXPECT_EQ(line.session.stream_usage().used, 1290U);
-  line.send(stream_of(msg::CommandFromBoard::realtime_data_4, 0));
+  line.send(stream_of(Of::realtime_data_4, 0));
   line.run();
   EXPECT_EQ(line.session.stream_usage().used, 0U);
 }
 
 TEST(Streams, OfASampleInEachCycle) {
   Simulation line(at(0));
-  line.send(stream_of(msg::CommandFromBoard::realtime_data_3, 1));
+  line.send(stream_of(Of::realtime_data_3, 1));
   EXPECT_EQ(line.session.stream_usage().used, 85000U) << "68 bytes every 0.8 ms";
   EXPECT_EQ(line.session.stream_usage().limit, 0U);
 }
@@ -241,20 +237,18 @@ TEST(Streams, HaveTheSizeThatTheirConfigurationGivesThem) {
 TEST(Streams, BeyondTheBudgetAreRefused) {
   Simulation line(at(9600));  // 960 bytes/s, 768 for streams
   line.board = [&](const Written& frame) { line.confirm(frame.id); };
-  EXPECT_TRUE(line.session.send(stream_of(msg::CommandFromBoard::realtime_data_3, 100)));  // 680
-  EXPECT_EQ(line.session.send(stream_of(msg::CommandFromBoard::ahrs_helper, 100)).status,
-            SendStatus::not_encodable)
+  EXPECT_TRUE(line.session.send(stream_of(Of::realtime_data_3, 100)));  // 680
+  EXPECT_EQ(line.session.send(stream_of(Of::ahrs_helper, 100)).status, SendStatus::not_encodable)
       << "the IMU is missing";
-  EXPECT_EQ(line.session.send(stream_of(msg::CommandFromBoard::realtime_data_4, 1000)).status,
+  EXPECT_EQ(line.session.send(stream_of(Of::realtime_data_4, 1000)).status,
             SendStatus::over_budget);  // 129 more
-  EXPECT_TRUE(line.session.send(stream_of(msg::CommandFromBoard::realtime_data_4, 2000)));
+  EXPECT_TRUE(line.session.send(stream_of(Of::realtime_data_4, 2000)));
   EXPECT_EQ(line.session.stream_usage().used, 745U);
   line.run();
-  EXPECT_TRUE(line.session.send(stream_of(msg::CommandFromBoard::realtime_data_4, 100),
-                                {.ignore_budget = true}));
+  EXPECT_TRUE(line.session.send(stream_of(Of::realtime_data_4, 100), {.ignore_budget = true}));
   line.run();
   EXPECT_GT(line.session.stream_usage().used, line.session.stream_usage().limit);
-  EXPECT_TRUE(line.session.send(stream_of(msg::CommandFromBoard::realtime_data_4, 200)))
+  EXPECT_TRUE(line.session.send(stream_of(Of::realtime_data_4, 200)))
       << "less than before always fits";
   EXPECT_EQ(line.session.statistics().refused, 2U);
 }
@@ -265,7 +259,7 @@ TEST(Streams, ThatTheBoardDoesNotStartTakeNothing) {
     line.board = [&](const Written& frame) {
       if (refuses) line.say(255, {frame.id, 1, 0, 0, 0, 0});
     };
-    EXPECT_EQ(line.ask(stream_of(msg::CommandFromBoard::realtime_data_3, 100)),
+    EXPECT_EQ(line.ask(stream_of(Of::realtime_data_3, 100)),
               refuses ? Outcome::board_error : Outcome::timeout);
     EXPECT_EQ(line.session.stream_usage().used, 0U);
   }
@@ -287,12 +281,12 @@ TEST_F(StreamBudget, AreLimitedInNumber) {
 TEST(Streams, AreForgottenWhenTheBoardRestarts) {
   Simulation line(at(115200));
   line.board = [&](const Written& frame) { line.confirm(frame.id); };
-  line.send(stream_of(msg::CommandFromBoard::realtime_data_3, 100));
+  line.send(stream_of(Of::realtime_data_3, 100));
   line.run();
   line.say(114, {});
   line.run();
   EXPECT_EQ(line.session.stream_usage().used, 0U);
-  line.send(stream_of(msg::CommandFromBoard::realtime_data_3, 100));
+  line.send(stream_of(Of::realtime_data_3, 100));
   line.run();
   EXPECT_NE(line.session.stream_usage().used, 0U);
   line.send(msg::ResetRequest{});  // without notice
@@ -302,7 +296,7 @@ TEST(Streams, AreForgottenWhenTheBoardRestarts) {
 
 TEST_F(StreamBudget, SamplesAreTold) {
   confirm_all();
-  line.send(stream_of(msg::CommandFromBoard::realtime_data_3, 100));
+  line.send(stream_of(Of::realtime_data_3, 100));
   line.run();
   line.say(23, body_of(63));
   line.say(25, body_of(124));

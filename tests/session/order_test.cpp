@@ -31,7 +31,7 @@ TEST_F(Order, WhatHasAnEffectWaitsForNoResponse) {
   line.send(write(1));
   line.run_for(milliseconds(100));
   EXPECT_THAT(ids(line.written), ElementsAre(motors_on, motors_on, write_params_3));
-  EXPECT_LE(line.written[1].at - line.written[0].at, pause);
+  EXPECT_LE(gap(1), pause);
 }
 
 TEST_F(Order, NothingIsRepeatedAfterALaterRequest) {
@@ -96,7 +96,7 @@ TEST_F(Stop, IsSentNextAndSupersedesQueuedMotion) {
     EXPECT_EQ(line.outcome(motions[i]), Outcome::superseded);
   }
   EXPECT_EQ(line.outcome(stop), Outcome::sent);
-  EXPECT_LE(line.written[1].at - line.written[0].at, pause);
+  EXPECT_LE(gap(1), pause);
 }
 
 TEST_F(Stop, SupersedesMotionOfAllHostsAndNothingElse) {

@@ -86,11 +86,7 @@ class Chaos {
     const auto tag = static_cast<std::uint8_t>(upto(4));
     switch (upto(6)) {
       case 0: sent = line.session.send(msg::BoardInfoRequest{}); break;
-      case 1: {
-        msg::ReadParams3Request request{.profile_id = tag};
-        sent = line.session.send(request);
-        break;
-      }
+      case 1: sent = line.session.send(msg::ReadParams3Request{.profile_id = tag}); break;
       case 2: {
         msg::WriteParams3 request;
         request.profile_id = tag;
@@ -98,11 +94,9 @@ class Chaos {
         break;
       }
       case 3: sent = line.session.send(msg::I2cReadRegBufRequest{}); break;
-      case 4: {
-        msg::ExecuteMenu request;
-        sent = line.session.send(request, {.expect_confirmation = chance(50)});
+      case 4:
+        sent = line.session.send(msg::ExecuteMenu{}, {.expect_confirmation = chance(50)});
         break;
-      }
       case 5: sent = line.session.send(msg::Control{}); break;
       default: sent = line.session.send(msg::CalibGyro{}); break;
     }

@@ -11,12 +11,6 @@ using Reentrancy = LineTest;
 
 constexpr std::uint8_t realtime_data_3 = 23;
 
-msg::DataStreamInterval stream_of(std::uint8_t command, std::uint16_t interval_ms) {
-  msg::DataStreamInterval request{.cmd_id = static_cast<msg::CommandFromBoard>(command),
-                                  .interval_ms = msg::Milliseconds(interval_ms)};
-  return request;
-}
-
 /// Load of a stream of CMD_REALTIME_DATA_4 in bytes per second: frames of 129 bytes at 10 Hz.
 constexpr std::uint32_t load_of_4 = 1290;
 

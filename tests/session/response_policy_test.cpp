@@ -265,28 +265,17 @@ concept HasResponse = requires {
   typename M::Response;
 };
 
-static_assert(std::same_as<msg::BoardInfoRequest::Response, msg::BoardInfo>);
 static_assert(std::same_as<msg::ReadParams::Response, msg::ReadParamsAnswer>);
 static_assert(std::same_as<msg::GetAdjVarsVal::Response, msg::SetAdjVarsVal>);
 static_assert(std::same_as<msg::BootMode3Ext::Response, Maybe<msg::Reset>>);
 static_assert(std::same_as<msg::AhrsHelperRequestExt::Response, Maybe<msg::AhrsHelper>>);
 static_assert(
     std::same_as<msg::ReadFileRequest::Response, TypeList<msg::ReadFile, msg::ReadFileError>>);
-static_assert(std::is_void_v<msg::MotorsOn::Response>);
 static_assert(std::is_void_v<msg::ResetRequest::Response>);
 static_assert(std::is_void_v<msg::SetAdjVarsVal::Response>, "a request in both directions");
 static_assert(!HasResponse<msg::BoardInfo>);
 static_assert(std::same_as<ResponseMessages<msg::BootMode3Ext>, TypeList<msg::Reset>>);
-static_assert(std::same_as<ResponseMessages<msg::MotorsOn>, TypeList<>>);
 static_assert(response_policy(msg::BoardInfoRequest{}).response_required, "known at compile time");
-
-static_assert(std::same_as<roles::Confirmation, msg::Confirm>);
-static_assert(std::same_as<roles::BoardError, TypeList<msg::Error, msg::ErrorExt>>);
-static_assert(std::same_as<roles::ErrorReason, msg::BoardErrorCode>);
-static_assert(std::same_as<roles::Reset, msg::Reset>);
-static_assert(std::same_as<roles::Introduction, msg::BoardInfo>);
-static_assert(std::same_as<roles::IntroductionRequest, msg::BoardInfoRequest>);
-static_assert(std::same_as<roles::StreamRequest, msg::DataStreamInterval>);
 
 TEST(Roles, OfFrames) {
   const std::vector<std::uint8_t> bytes = {77, 1, 2, 3, 4, 5, 6};

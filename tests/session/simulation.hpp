@@ -66,6 +66,13 @@ inline Body body_of(std::size_t size, std::initializer_list<int> begin = {}) {
   return body;
 }
 
+/// Returns a request for a stream, or for its end.
+template <class Command>
+msg::DataStreamInterval stream_of(Command command, std::uint16_t interval_ms) {
+  return {.cmd_id = static_cast<msg::CommandFromBoard>(command),
+          .interval_ms = msg::Milliseconds(interval_ms)};
+}
+
 /// An event with a copy of its body.
 struct Record {
   Event event;
@@ -227,6 +234,11 @@ class LineTest : public ::testing::Test {
   /// From now on, the board confirms each request.
   void confirm_all() {
     line.board = [this](const Written& frame) { line.confirm(frame.id); };
+  }
+
+  /// Returns the time between the frame with this index and the one before.
+  Duration gap(std::size_t index) const {
+    return line.written.at(index).at - line.written.at(index - 1).at;
   }
 
   Simulation line;

@@ -57,10 +57,6 @@ TEST(SmallSession, RefusesStreamsIfItHasNoRoomForThem) {
 TEST(SmallSession, TheEndOfAnUnknownStreamDoesNotEndThatOfALaterRequest) {
   Basic<BasicSession<SessionCapacity{.streams = 1}>> line;
   line.board = [&](const Written& frame) { line.confirm(frame.id); };
-  const auto stream_of = [](msg::CommandFromBoard command, std::uint16_t interval) {
-    msg::DataStreamInterval request{.cmd_id = command, .interval_ms = msg::Milliseconds(interval)};
-    return request;
-  };
   line.send(stream_of(msg::CommandFromBoard::realtime_data_3, 100));
   line.run();
   const Handle end = line.send(stream_of(msg::CommandFromBoard::realtime_data_3, 0));
