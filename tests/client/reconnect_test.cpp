@@ -71,7 +71,8 @@ TEST_F(Reconnecting, ALineThatIsLostComesBack) {
   Client client = connect();
   EXPECT_TRUE(client.get_angles());
   pull();
-  EXPECT_THAT(client.get_angles(), fails(ErrorCode::not_connected));
+  EXPECT_THAT(client.get_angles({}, {.timeout = std::chrono::hours(1)}),
+              fails(ErrorCode::not_connected));
   EXPECT_FALSE(client.is_connected());
   plug();
   EXPECT_TRUE(client.get_angles());
