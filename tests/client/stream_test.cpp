@@ -185,8 +185,9 @@ TEST_F(RawStreams, HaveTheBytesOfAnyMessage) {
   });
   Client client = connect();
   Collector<Packet> samples;
-  msg::DataStreamInterval request{.cmd_id = static_cast<msg::CommandFromBoard>(unknown_id),
-                                  .interval_ms = msg::Milliseconds(20)};
+  msg::DataStreamInterval request{
+      .cmd_id = static_cast<msg::CommandFromBoard>(unknown_id),
+      .interval_ms = msg::Milliseconds(100)};  // for 258 bytes at 115200 Bd
   ASSERT_TRUE(request.config.rest.resize(8));
   request.config.rest[0] = 0x45;
   {
