@@ -1,58 +1,25 @@
 // Tests of the asynchronous client that connects again by itself. One thread runs its executor, so
 // that a function that waits for the executor would never return.
 
-#include <algorithm>
-#include <atomic>
-#include <chrono>
-#include <functional>
-#include <future>
-#include <memory>
-#include <optional>
-#include <string>
-#include <thread>
-#include <utility>
-#include <vector>
-
 #include <asio/bind_cancellation_slot.hpp>
 #include <asio/cancellation_signal.hpp>
 #include <asio/executor_work_guard.hpp>
 #include <asio/io_context.hpp>
 #include <asio/post.hpp>
 #include <asio/use_future.hpp>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <sbgc/client/async_client.hpp>
 #include <sbgc/client/async_reconnecting_client.hpp>
 #include <sbgc/client/motion.hpp>
 #include <sbgc/client/speed_control.hpp>
 #include <sbgc/io/memory.hpp>
-#include <sbgc/messages.hpp>
 
-#include "collector.hpp"
-#include "emulated_board.hpp"
-#include "scripted_board.hpp"
+#include "testing.hpp"
 
 namespace sbgc::test {
 namespace {
 
-using ::testing::Contains;
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using Ms = std::chrono::milliseconds;
-
-ReconnectOptions quick_again(OutagePolicy calls = OutagePolicy::fail) {
-  ReconnectOptions options;
-  options.connection = quick();
-  options.connection.detect_line = false;
-  options.first_pause = Ms(1);
-  options.longest_pause = Ms(5);
-  options.longest_silence = Ms(0);
-  options.calls = calls;
-  return options;
-}
-
-class AsyncReconnecting : public ::testing::Test {
+class AsyncReconnecting : public CableTest {
  protected:
   AsyncReconnecting() : thread([this] { context.run(); }) {}
   ~AsyncReconnecting() override {
@@ -61,40 +28,19 @@ class AsyncReconnecting : public ::testing::Test {
     thread.join();
   }
 
-  TransportFactory cable() {
-    return [this, line = board.line()](const asio::any_io_executor& executor) {
-      ++attempts;
-      return is_plugged ? line(executor) : nullptr;
-    };
-  }
   void connect(const ReconnectOptions& options = quick_again()) {
     client.emplace(context.get_executor());
     auto connected = client->async_connect_over(cable(), options, asio::use_future);
     watching = client->on_change([this](const LinkChange& change) {
       EXPECT_EQ(std::this_thread::get_id(), thread.get_id());
-      changes.add(change.state);
+      watch(change);
     });
-    const auto result = connected.get();
-    ASSERT_TRUE(result) << result.error().message;
+    require(connected.get());
   }
-  void pull() {
-    is_plugged = false;
-    board.unplug();
-    ASSERT_TRUE(wait_for(LinkState::searching));
-  }
-  void plug() {
-    is_plugged = true;
-    ASSERT_TRUE(wait_for(LinkState::connected));
-  }
-  bool wait_for(LinkState state) {
-    return changes.wait_until([&](const auto& all) { return std::ranges::count(all, state) != 0; });
-  }
-  /// Returns how many commands to turn the board has received.
-  std::size_t turns() {
-    const Packets log = board.log();
-    return static_cast<std::size_t>(std::ranges::count_if(log, [](const Packet& one) {
-      return is<msg::Control>(one) && message<msg::Control>(one).axes.yaw.speed == turning;
-    }));
+  /// Turns the camera, and waits until the board has received it.
+  void turn(SpeedControl& control) {
+    ASSERT_TRUE(control.set({.yaw = msg::ControlSpeed(100)}));
+    wait_for_requests<msg::Control>(1);
   }
   auto ask() { return client->async_call(msg::GetAnglesRequest{}, asio::use_future); }
   /// Does something on the only thread of the executor, and waits for its end.
@@ -107,12 +53,6 @@ class AsyncReconnecting : public ::testing::Test {
     done.get_future().wait();
   }
 
-  static constexpr msg::ControlSpeed turning{100};
-
-  EmulatedBoard board;
-  std::atomic<bool> is_plugged = true;
-  std::atomic<int> attempts = 0;
-  Collector<LinkState> changes;
   asio::io_context context;
   asio::executor_work_guard<asio::io_context::executor_type> work{context.get_executor()};
   std::optional<AsyncClient> client;
@@ -125,30 +65,13 @@ TEST_F(AsyncReconnecting, TheFirstConnectionMustSucceed) {
   client.emplace(context.get_executor());
   EXPECT_EQ(ask().get().error().code, ErrorCode::not_connected);
   EXPECT_FALSE(client->on_change([](const LinkChange&) {}));
-  const auto connected = client->async_connect_over(cable(), quick_again(), asio::use_future).get();
-  ASSERT_FALSE(connected);
-  EXPECT_EQ(connected.error().code, ErrorCode::not_found);
+  EXPECT_THAT(client->async_connect_over(cable(), quick_again(), asio::use_future).get(),
+              fails(ErrorCode::not_found));
   EXPECT_EQ(attempts, 1);
   EXPECT_EQ(client->connections(), 0U);
   is_plugged = true;
   connect();
   EXPECT_TRUE(ask().get());
-}
-
-TEST_F(AsyncReconnecting, ALineThatIsLostComesBack) {
-  connect();
-  EXPECT_TRUE(ask().get());
-  EXPECT_FALSE(client->description().empty());
-  pull();
-  const auto during = ask().get();
-  ASSERT_FALSE(during);
-  EXPECT_EQ(during.error().code, ErrorCode::not_connected);
-  EXPECT_FALSE(client->is_connected());
-  plug();
-  EXPECT_TRUE(ask().get());
-  EXPECT_EQ(client->connections(), 2U);
-  EXPECT_THAT(changes.wait_for(3),
-              ElementsAre(LinkState::lost, LinkState::searching, LinkState::connected));
 }
 
 TEST_F(AsyncReconnecting, ALaterAttemptToConnectEndsAnEarlierOne) {
@@ -172,22 +95,20 @@ TEST_F(AsyncReconnecting, TheFormerNameDoesIt) {
   AsyncReconnectingClient former(context.get_executor());
   ASSERT_TRUE(former.async_connect_over(cable(), asio::use_future).get());
   board.unplug();
-  while (former.connections() < 2) std::this_thread::sleep_for(Ms(1));
+  wait_until([&] { return former.connections() >= 2; });
   on_executor([&] { former.close(); });
 }
 
 TEST_F(AsyncReconnecting, OperationsCanWaitForTheConnection) {
   connect(quick_again(OutagePolicy::wait));
   pull();
-  Collector<msg::RealtimeData4> samples;
   auto angles = ask();
   auto stream = client->async_stream<msg::RealtimeData4>(
-      Ms(20), [&](const msg::RealtimeData4& one) { samples.add(one); }, asio::use_future);
+      Ms(20), [](const auto&) {}, asio::use_future);
   auto moved = client->async_run(tasks::stop(), asio::use_future);
-  const auto late =
-      client->async_call(msg::GetAnglesRequest{}, {.timeout = Ms(10)}, asio::use_future).get();
-  ASSERT_FALSE(late);
-  EXPECT_EQ(late.error().code, ErrorCode::not_connected);
+  EXPECT_THAT(
+      client->async_call(msg::GetAnglesRequest{}, {.timeout = Ms(10)}, asio::use_future).get(),
+      fails(ErrorCode::not_connected));
   plug();
   EXPECT_TRUE(angles.get());
   EXPECT_TRUE(stream.get());
@@ -209,22 +130,6 @@ TEST_F(AsyncReconnecting, WhatWaitsForTheConnectionCanBeCancelled) {
   EXPECT_EQ(code.get_future().get(), ErrorCode::cancelled);
 }
 
-TEST_F(AsyncReconnecting, ACallToTheBoardCanBeCancelled) {
-  connect();
-  board.on_lost([](const Packet&) { return true; });
-  asio::cancellation_signal signal;
-  std::promise<ErrorCode> code;
-  on_executor([&] {
-    client->async_call(msg::GetAnglesRequest{}, {.timeout = std::chrono::hours(1)},
-                       asio::bind_cancellation_slot(signal.slot(), [&](const auto& result) {
-                         code.set_value(result.error().code);
-                       }));
-  });
-  on_executor([&] { signal.emit(asio::cancellation_type::all); });
-  EXPECT_EQ(code.get_future().get(), ErrorCode::cancelled);
-  board.on_lost({});
-}
-
 TEST_F(AsyncReconnecting, NothingRemainsOfACall) {
   connect();
   std::weak_ptr<int> left;
@@ -241,47 +146,36 @@ TEST_F(AsyncReconnecting, NothingRemainsOfACall) {
   EXPECT_TRUE(left.expired());
 }
 
-TEST_F(AsyncReconnecting, StreamsAndSubscriptionsGoOn) {
+TEST_F(AsyncReconnecting, StreamsGoOn) {
   connect();
   Collector<msg::RealtimeData4> samples;
-  Collector<msg::GetAngles> answers;
-  const auto subscription =
-      client->subscribe<msg::GetAngles>([&](const msg::GetAngles& one) { answers.add(one); });
-  auto stream = client
-                    ->async_stream<msg::RealtimeData4>(
-                        Ms(20),
-                        [&](const msg::RealtimeData4& one) {
-                          EXPECT_EQ(std::this_thread::get_id(), thread.get_id());
-                          samples.add(one);
-                        },
-                        asio::use_future)
-                    .get();
-  ASSERT_TRUE(stream) << stream.error().message;
+  const auto take = [&](const msg::RealtimeData4& one) {
+    EXPECT_EQ(std::this_thread::get_id(), thread.get_id());
+    samples.add(one);
+  };
+  auto stream =
+      checked(client->async_stream<msg::RealtimeData4>(Ms(20), take, asio::use_future).get());
   board.skip(Ms(100));
-  const std::size_t before = samples.wait_for(2).size();
+  samples.wait_for(2);
   pull();
   board.clear_log();
   plug();
-  while (board.count<msg::DataStreamInterval>() == 0) std::this_thread::sleep_for(Ms(1));
-  board.skip(Ms(200));
-  samples.wait_for(before + 5);
-  EXPECT_TRUE(ask().get());
-  answers.wait_for(1);
+  wait_for_requests<msg::DataStreamInterval>(1);
+  expect_samples(samples);
   // Cancelling on the executor must not wait for it.
   board.clear_log();
   on_executor([&] { stream->cancel(); });
-  while (board.count<msg::DataStreamInterval>() == 0) std::this_thread::sleep_for(Ms(1));
+  wait_for_requests<msg::DataStreamInterval>(1);
   EXPECT_EQ(message<msg::DataStreamInterval>(board.log().back()).interval_ms.raw(), 0);
 }
 
 TEST_F(AsyncReconnecting, ATaskEndsWithItsConnection) {
   connect();
   board.on_lost([](const Packet& one) { return !is<msg::BoardInfoRequest>(one); });
+  board.clear_log();
   auto moving = client->async_run(tasks::move_to({.yaw = 20_deg}, {.timeout = Ms(600'000)}),
                                   asio::use_future);
-  while (board.count<msg::ControlExt>() + board.count<msg::GetAnglesRequest>() == 0) {
-    std::this_thread::sleep_for(Ms(1));
-  }
+  wait_until([&] { return !board.log().empty(); });
   pull();
   const auto moved = moving.get();
   ASSERT_FALSE(moved);
@@ -295,7 +189,7 @@ TEST_F(AsyncReconnecting, DestroyingItOnItsExecutorEndsEverything) {
   board.on_lost([](const Packet&) { return true; });
   auto asked = client->async_call(msg::GetAnglesRequest{}, {.timeout = std::chrono::hours(1)},
                                   asio::use_future);
-  while (board.count<msg::GetAnglesRequest>() == 0) std::this_thread::sleep_for(Ms(1));
+  wait_for_requests<msg::GetAnglesRequest>(1);
   on_executor([&] { client.reset(); });
   EXPECT_EQ(asked.get().error().code, ErrorCode::cancelled);
 }
@@ -308,7 +202,7 @@ TEST_F(AsyncReconnecting, DestroyingItOnItsExecutorEndsTheSearch) {
   board.on_lost([](const Packet&) { return true; });
   board.unplug();  // the next line leads to a board that is silent
   ASSERT_TRUE(wait_for(LinkState::searching));
-  while (attempts < 2) std::this_thread::sleep_for(Ms(1));
+  wait_until([&] { return attempts >= 2; });
   auto waiting = client->async_call(msg::GetAnglesRequest{}, {.timeout = std::chrono::hours(1)},
                                     asio::use_future);
   on_executor([&] { client.reset(); });
@@ -343,30 +237,25 @@ TEST_F(AsyncReconnecting, TheContextIsFreeAfterClose) {
 TEST_F(AsyncReconnecting, ACameraTurnsAgainOnlyIfItIsToldTo) {
   connect();
   SpeedControl control(*client, {.silence = std::chrono::hours(1)});
-  ASSERT_TRUE(control.set({.yaw = turning}));
-  while (turns() == 0) std::this_thread::sleep_for(Ms(1));
+  turn(control);
   pull();
-  while (control.state() == SpeedControl::State::turning) std::this_thread::sleep_for(Ms(1));
-  EXPECT_EQ(control.set({.yaw = turning}).error().code, ErrorCode::not_connected);
+  wait_until([&] { return control.state() != SpeedControl::State::turning; });
+  EXPECT_THAT(control.set({.yaw = 20_deg_per_s}), fails(ErrorCode::not_connected));
   board.clear_log();
   plug();
   EXPECT_TRUE(ask().get());
-  EXPECT_EQ(turns(), 0U);
-  ASSERT_TRUE(control.set({.yaw = turning}));
-  while (turns() == 0) std::this_thread::sleep_for(Ms(1));
+  EXPECT_EQ(board.count<msg::Control>(), 0U);
+  turn(control);
 }
 
 TEST_F(AsyncReconnecting, ACameraStopsWhenItsOwnerDies) {
   connect();
   std::optional<SpeedControl> control(std::in_place, *client);
-  ASSERT_TRUE(control->set({.yaw = turning}));
-  while (turns() == 0) std::this_thread::sleep_for(Ms(1));
+  turn(*control);
   board.clear_log();
   on_executor([&] { control.reset(); });  // on the only thread that can send the stop
-  const auto is_stop = [](const Packet& one) {
-    return is<msg::Control>(one) && message<msg::Control>(one).axes.yaw.speed.raw() == 0;
-  };
-  while (std::ranges::none_of(board.log(), is_stop)) std::this_thread::sleep_for(Ms(1));
+  const auto is_stop = [](const msg::Control& one) { return one.axes.yaw.speed.raw() == 0; };
+  wait_until([&] { return std::ranges::any_of(board.requests<msg::Control>(), is_stop); });
 }
 
 }  // namespace

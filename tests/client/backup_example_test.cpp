@@ -1,17 +1,10 @@
 // Tests examples/backup.cpp as a user runs it: over a serial port, here a pseudo-terminal.
 
-#include <filesystem>
-#include <fstream>
-#include <string>
-
 #include "run_program.hpp"
 #include "task_test.hpp"
-#include "temporary_folder.hpp"
 
 namespace sbgc::test {
 namespace {
-
-using ::testing::HasSubstr;
 
 class BackupExample : public TaskTest {
  protected:
@@ -62,11 +55,6 @@ TEST_F(BackupExample, RestoresNothingUnlessThatIsAgreed) {
     EXPECT_FALSE(std::filesystem::exists(file("before.json")));
     EXPECT_EQ(board.all_settings<msg::ReadParams3>(), edited);
   }
-}
-
-TEST_F(BackupExample, ExplainsHowItIsUsed) {
-  EXPECT_EQ(backup("").status, 2);
-  EXPECT_THAT(backup("").output, HasSubstr("usage:"));
 }
 
 }  // namespace

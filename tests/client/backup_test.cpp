@@ -1,11 +1,3 @@
-#include <algorithm>
-#include <array>
-#include <cstdint>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
-#include <string>
-#include <vector>
 
 #include <fmt/format.h>
 #include <linux/capability.h>
@@ -20,17 +12,9 @@
 #include <sbgc/meta/system.hpp>
 
 #include "task_test.hpp"
-#include "temporary_folder.hpp"
 
 namespace sbgc::test {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
-using ::testing::Not;
-using ::testing::SizeIs;
-using ::testing::UnorderedElementsAre;
 
 namespace fs = std::filesystem;
 
@@ -49,6 +33,10 @@ class BackupTest : public TaskTest {
     }
     std::sort(result.begin(), result.end());
     return result;
+  }
+  /// Restores a backup, after the present state has been saved.
+  WriteReport restore(const Backup& backup, const char* saved) {
+    return client().restore(backup, {.save_current = save_to(file(saved))});
   }
   static std::string content(const fs::path& file) {
     std::ostringstream text;
@@ -72,15 +60,9 @@ class BackupTest : public TaskTest {
   using Settings = std::vector<std::vector<std::uint8_t>>;
   Settings settings() {
     Settings result;
-    const auto add = [&]<class M>(Type<M>) {
+    BackedUp::for_each([&]<class M>(Type<M>) {
       for (const M& one : board.all_settings<M>()) result.push_back(packet(one).body);
-    };
-    add(Type<msg::ReadParams3>{});
-    add(Type<msg::ReadParamsExt>{});
-    add(Type<msg::ReadParamsExt2>{});
-    add(Type<msg::ReadProfileNames>{});
-    add(Type<msg::ReadAdjVarsCfg>{});
-    add(Type<msg::ReadExternalData>{});
+    });
     return result;
   }
   /// Makes all settings different from each other and from the factory settings.
@@ -123,6 +105,7 @@ TEST_F(BackupTest, OnlyARegularFileIsReplaced) {
     EXPECT_THAT(saved.error().message, HasSubstr("pipe is not a regular file"));
   }
   EXPECT_TRUE(std::filesystem::is_fifo(file("pipe")));
+  EXPECT_EQ(load_backup(file("pipe")).error().code, ErrorCode::bad_file) << "nobody waits for it";
   const Result<void> saved = save_backup(make(), file("no/where.json"), Existing::replace);
   ASSERT_FALSE(saved);
   EXPECT_THAT(saved.error().message, HasSubstr("where.json: "));
@@ -131,8 +114,7 @@ TEST_F(BackupTest, OnlyARegularFileIsReplaced) {
 TEST_F(BackupTest, NothingIsLostOnTheWayThroughAFile) {
   const Backup backup = make();
   ASSERT_TRUE(save_backup(backup, file("a.json")));
-  const Result<Backup> again = load_backup(file("a.json"));
-  ASSERT_TRUE(again) << again.error().message;
+  const auto again = checked(load_backup(file("a.json")));
   EXPECT_EQ(again->parameters, backup.parameters);
   EXPECT_EQ(again->board.info, client().identity().info);
   EXPECT_EQ(again->board.details, board.read<msg::BoardInfo3>(msg::BoardInfo3Request{}));
@@ -151,29 +133,15 @@ TEST_F(BackupTest, AFileTellsWhichBoardItIsOf) {
             detail::to_hex(board.options().mcu_id));
   EXPECT_EQ(document["board"].value("serial_number", ""), client().identity().serial_number());
   EXPECT_EQ(document["settings"].size(), 18U);
-}
-
-TEST_F(BackupTest, ABoardWithoutDetailsHasNoSerialNumber) {
-  Backup backup = make();
-  backup.board.details.reset();
-  const Json document = Json::parse(to_json_text(backup));
-  EXPECT_THAT(document["board"], SizeIs(3)) << "model, firmware and info";
-  EXPECT_FALSE(document["board"].contains("serial_number"));
+  Backup bare = make();
+  bare.board.details.reset();
+  EXPECT_THAT(Json::parse(to_json_text(bare))["board"], SizeIs(3)) << "model, firmware and info";
 }
 
 TEST_F(BackupTest, AnExistingFileIsKept) {
   std::ofstream(file("a.json")) << "precious";
-  const Result<void> saved = save_backup(make(), file("a.json"));
-  ASSERT_FALSE(saved);
-  EXPECT_EQ(saved.error().code, ErrorCode::invalid);
+  EXPECT_THAT(save_backup(make(), file("a.json")), fails(ErrorCode::invalid));
   EXPECT_EQ(content(file("a.json")), "precious");
-  EXPECT_THAT(files(), ElementsAre("a.json"));
-}
-
-TEST_F(BackupTest, OrReplacedAsAWhole) {
-  std::ofstream(file("a.json")) << "old";
-  ASSERT_TRUE(save_backup(make(), file("a.json"), Existing::replace));
-  EXPECT_TRUE(load_backup(file("a.json")));
   EXPECT_THAT(files(), ElementsAre("a.json"));
 }
 
@@ -183,6 +151,8 @@ TEST_F(BackupTest, WhatReplacesAFileHasItsMode) {
     fs::permissions(file("a.json"), mode);
     ASSERT_TRUE(save_backup(make(), file("a.json"), Existing::replace));
     EXPECT_EQ(fs::status(file("a.json")).permissions(), mode);
+    EXPECT_TRUE(load_backup(file("a.json"))) << "it is replaced as a whole";
+    EXPECT_THAT(files(), ElementsAre("a.json"));
     fs::remove(file("a.json"));
   }
 }
@@ -201,9 +171,7 @@ TEST_F(BackupTest, ASymbolicLinkStaysOne) {
 }
 
 TEST_F(BackupTest, WhatCannotBeWrittenLeavesNothingBehind) {
-  const Result<void> saved = save_backup(make(), file("missing/a.json"));
-  ASSERT_FALSE(saved);
-  EXPECT_EQ(saved.error().code, ErrorCode::not_found);
+  EXPECT_THAT(save_backup(make(), file("missing/a.json")), fails(ErrorCode::not_found));
   fs::create_directory(file("folder"));
   EXPECT_FALSE(save_backup(make(), file("folder"), Existing::replace));
   EXPECT_THAT(files(), ElementsAre("folder"));
@@ -269,20 +237,10 @@ TEST_F(BackupTest, AFolderThatCannotBeReadIsNotFlushed) {
   EXPECT_TRUE(load_backup(folder / "a.json")) << "it is written all the same";
 }
 
-TEST_F(BackupTest, AFileMayHaveExactlyTheLargestSize) {
+TEST_F(BackupTest, MissingLargeAndForeignFilesAreNamed) {
   std::ofstream(file("five")) << "12345";
   EXPECT_FALSE(detail::read_whole_file(file("five"), 4));
-  const Result<std::string> text = detail::read_whole_file(file("five"), 5);
-  ASSERT_TRUE(text) << text.error().message;
-  EXPECT_EQ(*text, "12345");
-}
-
-TEST_F(BackupTest, WhatIsNoFileIsNotWaitedFor) {
-  ASSERT_EQ(::mkfifo(file("pipe").c_str(), 0600), 0);
-  EXPECT_EQ(load_backup(file("pipe")).error().code, ErrorCode::bad_file);
-}
-
-TEST_F(BackupTest, MissingAndForeignFilesAreNamed) {
+  EXPECT_EQ(*checked(detail::read_whole_file(file("five"), 5)), "12345");
   EXPECT_EQ(load_backup(file("none.json")).error().code, ErrorCode::not_found);
   const std::pair<std::string, const char*> contents[] = {
       {"hello", "text"},
@@ -298,10 +256,9 @@ TEST_F(BackupTest, MissingAndForeignFilesAreNamed) {
   };
   for (const auto& [content, kind] : contents) {
     std::ofstream(file("other")) << content;
-    const auto error = load_backup(file("other")).error();
-    EXPECT_EQ(error.code, ErrorCode::bad_file);
-    EXPECT_EQ(error.message,
-              fmt::format("{}: this is {}, not an sbgc backup", file("other").string(), kind));
+    EXPECT_THAT(load_backup(file("other")),
+                fails(ErrorCode::bad_file, Eq(fmt::format("{}: this is {}, not an sbgc backup",
+                                                          file("other").string(), kind))));
   }
   EXPECT_EQ(parse_backup("{}").error().message, "this is other JSON, not an sbgc backup");
   EXPECT_THAT(parse_backup("{\"format\": }").error().message,
@@ -319,36 +276,58 @@ TEST_F(BackupTest, AFileThatIsMadeToDoHarmIsRefused) {
   const std::string deep(200'000, '[');
   std::ofstream(file("deep")) << R"({"format":"sbgc-backup","version":)" << deep
                               << std::string(deep.size(), ']') << "}";
-  const auto error = load_backup(file("deep")).error();
-  EXPECT_EQ(error.code, ErrorCode::bad_file);
-  EXPECT_THAT(error.message, HasSubstr("nested deeper than 64 levels (line 1, column "));
+  EXPECT_THAT(load_backup(file("deep")),
+              fails(ErrorCode::bad_file, "nested deeper than 64 levels (line 1, column "));
   std::string text = to_json_text(make());
   text.insert(1, R"("created":"",)");
   EXPECT_THAT(parse_backup(text).error().message, HasSubstr("the key 'created' occurs twice"));
 }
 
+/// A change of a value, or its removal if there is no value, and the message of the error.
+struct WrongValue {
+  const char* at;
+  const char* value;
+  const char* message;
+};
+
 TEST_F(BackupTest, EverythingInAFileIsChecked) {
-  EXPECT_THAT(wrong([](Json& json) { json["format"] = "sbgc-other"; }).message,
-              HasSubstr("this is JSON of the format \"sbgc-other\", not an sbgc backup"));
+  const Json good = Json::parse(to_json_text(make()));
+  for (const auto& [at, value, message] : std::initializer_list<WrongValue>{
+           {"/format", R"("sbgc-other")",
+            "this is JSON of the format \"sbgc-other\", not an sbgc backup"},
+           {"/version", R"("1")", "version"},
+           {"/board", nullptr, "board: it is missing"},
+           {"/board/info/body", R"("1e")", "board.info.body"},
+           {"/board/details/message", R"("BoardInfo")",
+            "board.details.message: expected BoardInfo3"},
+           {"/settings", "5", "settings"},
+           {"/settings/3/copy", "7", "settings[3]"},
+           {"/settings/3/copy", "-1", "settings[3].copy"},
+           {"/settings/2/body", R"("xy")", "settings[2].body"},
+           {"/settings/0/message", R"("Beep")", "Beep"},
+           {"/settings/2/fields/axes/yaw/p", "255", "settings[2].fields.axes.yaw.p"},
+           {"/settings/2/fields/axes/yaw", "5", "settings[2].fields.axes.yaw"},
+           {"/board/model", R"("3.1")", "board.model: differs from the body, which says \""},
+           {"/board/firmware", R"("3.1")", "board.firmware: differs from the body, which says \""},
+           {"/board/serial_number", R"("3.1")",
+            "board.serial_number: differs from the body, which says \""},
+           {"/contents", nullptr, "contents: it is missing"},
+           {"/checksum", nullptr, "checksum: it is missing"},
+           {"/contents/0", nullptr, "the identity of the board, or 'contents', was edited"},
+           {"/contents", "5", "contents: expected a list"},
+           {"/contents/1", "5", "contents[1].message: it is missing"},
+           {"/contents/1/copies", "5", "contents[1].copies: expected a list"},
+           {"/contents/0/copies/1", "256",
+            "contents[0].copies[1]: expected a number from 0 to 255"},
+           {"/contents/0/copies/1", "255", "or 'contents', was edited"}}) {
+    Json change{{"op", value == nullptr ? "remove" : "replace"}, {"path", at}};
+    if (value != nullptr) change["value"] = Json::parse(value);
+    EXPECT_THAT(parse_backup(good.patch(Json::array({change})).dump()),
+                fails(ErrorCode::bad_file, message));
+  }
   EXPECT_EQ(wrong([](Json& json) { json["version"] = 2; }).code, ErrorCode::incompatible);
-  EXPECT_THAT(wrong([](Json& json) { json["version"] = "1"; }).message, HasSubstr("version"));
-  EXPECT_THAT(wrong([](Json& json) { json.erase("board"); }).message,
-              HasSubstr("board: it is missing"));
-  EXPECT_THAT(wrong([](Json& json) { json["board"]["info"]["body"] = "1e"; }).message,
-              HasSubstr("board.info.body"));
-  EXPECT_THAT(wrong([](Json& json) { json["board"]["details"]["message"] = "BoardInfo"; }).message,
-              HasSubstr("board.details.message: expected BoardInfo3"));
-  EXPECT_THAT(wrong([](Json& json) { json["settings"] = 5; }).message, HasSubstr("settings"));
-  EXPECT_THAT(wrong([](Json& json) { json["settings"][3]["copy"] = 7; }).message,
-              HasSubstr("settings[3]"));
-  EXPECT_THAT(wrong([](Json& json) { json["settings"][3]["copy"] = -1; }).message,
-              HasSubstr("settings[3].copy"));
-  EXPECT_THAT(wrong([](Json& json) { json["settings"][2]["body"] = "xy"; }).message,
-              HasSubstr("settings[2].body"));
   EXPECT_THAT(wrong([](Json& json) { json["settings"][1] = json["settings"][0]; }).message,
               HasSubstr("duplicate"));
-  EXPECT_THAT(wrong([](Json& json) { json["settings"][0]["message"] = "Beep"; }).message,
-              HasSubstr("Beep"));
 }
 
 TEST_F(BackupTest, ABodyHasAtMostTheBytesOfAFrame) {
@@ -360,15 +339,6 @@ TEST_F(BackupTest, ABodyHasAtMostTheBytesOfAFrame) {
   };
   EXPECT_THAT(message(max_body_size + 1), HasSubstr("at most 255 bytes"));
   EXPECT_THAT(message(max_body_size), Not(HasSubstr("at most 255 bytes")));
-}
-
-TEST_F(BackupTest, FieldsThatWereEditedAreRefusedBecauseOnlyTheBodyCounts) {
-  const auto error =
-      wrong([](Json& json) { json["settings"][2]["fields"]["axes"]["yaw"]["p"] = 255; });
-  EXPECT_EQ(error.code, ErrorCode::bad_file);
-  EXPECT_THAT(error.message, HasSubstr("settings[2].fields.axes.yaw.p"));
-  const auto other = wrong([](Json& json) { json["settings"][2]["fields"]["axes"]["yaw"] = 5; });
-  EXPECT_THAT(other.message, HasSubstr("settings[2].fields.axes.yaw"));
 }
 
 TEST_F(BackupTest, FieldsThatAnotherVersionCallsByAnotherNameAreTaken) {
@@ -398,13 +368,11 @@ TEST_F(BackupTest, EveryDamagedNameIsRefused) {
 // Made when most bytes of ReadParamsExt2 and BoardInfo3 had no names.
 TEST_F(BackupTest, AFileFromBeforeReservedBytesHadNamesIsRestored) {
   mark();
-  const Result<Backup> backup = load_backup(SBGC_TEST_DATA "/backup_of_rev_0.15.json");
-  ASSERT_TRUE(backup) << backup.error().message;
+  const auto backup = checked(load_backup(SBGC_TEST_DATA "/backup_of_rev_0.15.json"));
   ASSERT_THAT(backup->parameters.all(), SizeIs(6));
   EXPECT_THAT(backup->missing, IsEmpty()) << "it does not list what it holds";
   EXPECT_THAT(left_alone(client().identity(), *backup), SizeIs(make().parameters.all().size() - 6));
-  const WriteReport report =
-      client().restore(*backup, {.save_current = save_to(file("present.json"))});
+  const WriteReport report = restore(*backup, "present.json");
   ASSERT_TRUE(report) << to_text(report);
   const ParameterSet now = make().parameters;
   for (const Parameters& block : backup->parameters.all()) {
@@ -429,8 +397,7 @@ TEST_F(BackupTest, RestoringBringsEverythingBack) {
   ASSERT_NE(settings(), original);
 
   const Result<Backup> changed = client().make_backup();
-  const WriteReport report =
-      client().restore(backup, {.save_current = save_to(file("present.json"))});
+  const WriteReport report = restore(backup, "present.json");
   ASSERT_TRUE(report) << to_text(report);
   EXPECT_EQ(settings(), original);
   const Result<Backup> saved = load_backup(file("present.json"));
@@ -443,9 +410,9 @@ TEST_F(BackupTest, AnErasedBoardGetsBackEveryBitOfItsSettings) {
   const Settings original = settings();
   const Backup backup = make();
   board.write(msg::UseDefaults{.profile_id = msg::UseDefaults::erase_eeprom});
-  ASSERT_THAT(board.memory().eeprom, ::testing::Each(0xFF));
+  ASSERT_THAT(board.memory().eeprom, Each(0xFF));
 
-  WriteReport report = client().restore(backup, {.save_current = save_to(file("present.json"))});
+  WriteReport report = restore(backup, "present.json");
   ASSERT_TRUE(report) << to_text(report);
   EXPECT_EQ(settings(), original);
   EXPECT_EQ(make().parameters, backup.parameters);
@@ -455,7 +422,7 @@ TEST_F(BackupTest, AnErasedBoardGetsBackEveryBitOfItsSettings) {
   disconnect();
   board.become(board.options());
   EXPECT_EQ(settings(), original);
-  report = client().restore(backup, {.save_current = save_to(file("again.json"))});
+  report = restore(backup, "again.json");
   ASSERT_TRUE(report);
   EXPECT_EQ(count<msg::WriteParams3>(), 0U);
 }
@@ -464,10 +431,8 @@ TEST_F(BackupTest, AnotherModelOrFirmwareIsRefusedUnlessTold) {
   const Backup backup = make();
   change();
   become(msg::BoardVersion(31));
-  WriteReport report = client().restore(backup, {.save_current = save_to(file("a.json"))});
-  ASSERT_FALSE(report);
-  EXPECT_EQ(report.outcome.error().code, ErrorCode::incompatible);
-  EXPECT_THAT(report.outcome.error().message, HasSubstr("3.1"));
+  WriteReport report = restore(backup, "a.json");
+  ASSERT_THAT(report, fails(ErrorCode::incompatible, "3.1"));
   EXPECT_THAT(files(), IsEmpty());
 
   become(msg::FirmwareVersion(2604));
@@ -490,20 +455,16 @@ TEST_F(BackupTest, AParameterSetThatWasRemovedFromTheFileIsNamed) {
   change();
   const Json removed = document["settings"][4];  // not the one that change() changes
   document["settings"].erase(4);
-  const Result<Backup> backup = parse_backup(document.dump());
-  ASSERT_TRUE(backup) << backup.error().message;
+  const auto backup = checked(parse_backup(document.dump()));
   const ParametersId id{removed["message"], removed["copy"]};
   EXPECT_THAT(backup->missing, ElementsAre(id));
   EXPECT_THAT(left_alone(client().identity(), *backup), ElementsAre(id));
   EXPECT_EQ(parse_backup(to_json_text(*backup))->missing, backup->missing) << "it stays known";
 
   for (const bool dry_run : {true, false}) {
-    const auto outcome =
-        client().restore(*backup, {.save_current = save_to(file("a.json")), .dry_run = dry_run});
-    ASSERT_FALSE(outcome);
-    EXPECT_EQ(outcome.outcome.error().code, ErrorCode::bad_file);
-    EXPECT_THAT(outcome.outcome.error().message,
-                HasSubstr("the backup lacks what it lists: " + to_text(id)));
+    EXPECT_THAT(
+        client().restore(*backup, {.save_current = save_to(file("a.json")), .dry_run = dry_run}),
+        fails(ErrorCode::bad_file, HasSubstr("the backup lacks what it lists: " + to_text(id))));
   }
   EXPECT_THAT(files(), IsEmpty());
   EXPECT_EQ(board.settings<msg::ReadParams3>(0).gyro_trust, 1);
@@ -541,10 +502,6 @@ void edit(Json& json, Change&& change) {
 }
 
 TEST_F(BackupTest, AnEditedIdentityIsNoticed) {
-  for (const char* key : {"model", "firmware", "serial_number"}) {
-    EXPECT_THAT(wrong([key](Json& json) { json["board"][key] = "3.1"; }).message,
-                HasSubstr(std::string("board.") + key + ": differs from the body, which says \""));
-  }
   const auto edited = [](const ClientError& error) {
     EXPECT_EQ(error.code, ErrorCode::bad_file);
     EXPECT_THAT(error.message, HasSubstr("the identity of the board, or 'contents', was edited"));
@@ -569,21 +526,15 @@ TEST_F(BackupTest, AnEditedIdentityIsNoticed) {
     json["board"].erase("details");
     json["board"].erase("serial_number");
   }));
-  edited(wrong([](Json& json) { json["contents"].erase(0); }));
-  EXPECT_THAT(wrong([](Json& json) { json.erase("contents"); }).message,
-              HasSubstr("contents: it is missing"));
-  EXPECT_THAT(wrong([](Json& json) { json.erase("checksum"); }).message,
-              HasSubstr("checksum: it is missing"));
 }
 
 TEST_F(BackupTest, ValuesMayBeEdited) {
   Json document = Json::parse(to_json_text(make()));
   document["created"] = "today";
   edit<msg::ReadParams3>(document["settings"][0], [](auto& params) { params.gyro_trust = 77; });
-  const Result<Backup> backup = parse_backup(document.dump());
-  ASSERT_TRUE(backup) << backup.error().message;
+  const auto backup = checked(parse_backup(document.dump()));
   EXPECT_THAT(backup->missing, IsEmpty());
-  ASSERT_TRUE(client().restore(*backup, {.save_current = save_to(file("a.json"))}));
+  ASSERT_TRUE(restore(*backup, "a.json"));
   EXPECT_EQ(board.settings<msg::ReadParams3>(0).gyro_trust, 77);
 }
 
@@ -598,19 +549,6 @@ TEST_F(BackupTest, AParameterSetThatTheFileDoesNotListIsRefused) {
   ASSERT_FALSE(backup);
   EXPECT_EQ(backup.error().message,
             "contents: " + to_text(all.parameters.all()[1].id) + " is not listed");
-}
-
-TEST_F(BackupTest, TheContentsOfAFileAreChecked) {
-  EXPECT_THAT(wrong([](Json& json) { json["contents"] = 5; }).message,
-              HasSubstr("contents: expected a list"));
-  EXPECT_THAT(wrong([](Json& json) { json["contents"][1] = 5; }).message,
-              HasSubstr("contents[1].message: it is missing"));
-  EXPECT_THAT(wrong([](Json& json) { json["contents"][1]["copies"] = 5; }).message,
-              HasSubstr("contents[1].copies: expected a list"));
-  EXPECT_THAT(wrong([](Json& json) { json["contents"][0]["copies"][1] = 256; }).message,
-              HasSubstr("contents[0].copies[1]: expected a number from 0 to 255"));
-  EXPECT_THAT(wrong([](Json& json) { json["contents"][0]["copies"][1] = 255; }).message,
-              HasSubstr("or 'contents', was edited"));
 }
 
 TEST_F(BackupTest, ADryRunNeedsNoFileAndWritesNothing) {
@@ -629,7 +567,7 @@ TEST_F(BackupTest, WithoutABackupOfThePresentStateNothingIsRestored) {
   change();
   EXPECT_EQ(client().restore(backup, {}).outcome.error().code, ErrorCode::invalid);
   std::ofstream(file("a.json")) << "precious";
-  EXPECT_FALSE(client().restore(backup, {.save_current = save_to(file("a.json"))}));
+  EXPECT_FALSE(restore(backup, "a.json"));
   EXPECT_EQ(content(file("a.json")), "precious");
   EXPECT_EQ(count<msg::WriteParams3>(), 0U);
   EXPECT_EQ(board.settings<msg::ReadParams3>(0).gyro_trust, 1);

@@ -1,20 +1,7 @@
 // Tests of recording a frequency response, in virtual time, and of its files.
 
-#include <array>
 #include <cmath>
 #include <complex>
-#include <cstddef>
-#include <cstdint>
-#include <functional>
-#include <limits>
-#include <optional>
-#include <span>
-#include <string>
-#include <utility>
-#include <vector>
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <sbgc/analysis/frequency_response.hpp>
 #include <sbgc/client/bode.hpp>
@@ -22,12 +9,11 @@
 
 #include "../emulator/device/recorded_axis.hpp"
 #include "tasks/bode_collector.hpp"
+#include "testing.hpp"
 #include "virtual_client.hpp"
 
 namespace sbgc::test {
 namespace {
-
-using ::testing::HasSubstr;
 
 /// Loses, or repeats, messages of the board with samples: `copies(n)` of the nth arrive.
 class SampleLine : public VirtualLine {
@@ -84,12 +70,16 @@ Result<BodeRecording> record(VirtualClient& client, std::uint32_t samples = 5000
   return client.run(tasks::record_bode(recording(samples), options));
 }
 
+Result<BodeRecording> record_over(SampleLine& line, std::uint32_t samples = 5000) {
+  VirtualClient client(board(), {}, &line);
+  return record(client, samples);
+}
+
 TEST(Bode, HasEverySampleWhetherTheStartIsConfirmedOrNot) {
   for (const bool is_confirmed : {true, false}) {
     for (const bool reports_index : {true, false}) {
       VirtualClient client(board(is_confirmed, reports_index));
-      const auto recorded = record(client);
-      ASSERT_TRUE(recorded) << recorded.error().message;
+      const auto recorded = checked(record(client));
       EXPECT_EQ(recorded->input.size(), 5000U);
       EXPECT_EQ(recorded->output.size(), 5000U);
       EXPECT_EQ(recorded->lost, 0U);
@@ -117,8 +107,7 @@ std::size_t check_against_plant(const BodeRecording& recorded, double from, doub
 
 TEST(Bode, WithoutNoiseGainAndPhaseAreThoseOfThePlant) {
   VirtualClient client(board());
-  const auto recorded = record(client, 10'000);
-  ASSERT_TRUE(recorded) << recorded.error().message;
+  const auto recorded = checked(record(client, 10'000));
   EXPECT_GT(check_against_plant(*recorded, 6, 200), 150U);  // of 159
 }
 
@@ -129,8 +118,7 @@ TEST(Bode, WithNoise95PercentAreWithinTwoDeviations) {
   for (std::uint32_t seed = 1; seed <= 24; ++seed) {
     options.board.gimbal.seed = seed;
     VirtualClient client(options);
-    const auto recorded = record(client, 10'000);
-    ASSERT_TRUE(recorded) << recorded.error().message;
+    const auto recorded = checked(record(client, 10'000));
     for (const auto& point :
          analysis::frequency_response(recorded->input, recorded->output, 1250, 6, 200).points) {
       const std::complex<double> error = plant(point.frequency) / point.response - 1.0;
@@ -149,9 +137,7 @@ TEST(Bode, WithNoise95PercentAreWithinTwoDeviations) {
 
 TEST(Bode, LostMessagesLeaveAGapThatTheResponseLeavesOut) {
   SampleLine line([](int number) { return number == 1 || (number >= 60 && number < 70) ? 0 : 1; });
-  VirtualClient client(board(), {}, &line);
-  const auto recorded = record(client, 10'000);
-  ASSERT_TRUE(recorded) << recorded.error().message;
+  const auto recorded = checked(record_over(line, 10'000));
   EXPECT_EQ(recorded->input.size(), 10'000U);
   EXPECT_EQ(recorded->lost, 11U * 20);
   for (const std::size_t lost : {0U, 19U, 59U * 20, 69U * 20 - 1}) {
@@ -162,30 +148,18 @@ TEST(Bode, LostMessagesLeaveAGapThatTheResponseLeavesOut) {
   EXPECT_GT(check_against_plant(*recorded, 6, 200), 140U);
 }
 
-TEST(Bode, TheLastMessagesMayBeLostToo) {
-  SampleLine line([](int number) { return number > 245 ? 0 : 1; });
-  VirtualClient client(board(), {}, &line);
-  const auto recorded = record(client);
-  ASSERT_TRUE(recorded) << recorded.error().message;
-  EXPECT_EQ(recorded->input.size(), 5000U);
-  EXPECT_EQ(recorded->lost, 100U);
-}
-
 TEST(Bode, ALossThatTheCounterCannotShowIsAnError) {
   SampleLine line([](int number) { return number >= 60 && number < 76 ? 0 : 1; });  // 320 samples
-  VirtualClient client(board(), {}, &line);
-  const auto recorded = record(client);
-  ASSERT_FALSE(recorded);
-  EXPECT_EQ(recorded.error().code, ErrorCode::bad_response);
-  EXPECT_THAT(recorded.error().message, HasSubstr("320 of 5000 samples were lost"));
+  EXPECT_THAT(record_over(line), fails(ErrorCode::bad_response, "320 of 5000 samples were lost"));
 }
 
-TEST(Bode, ARepeatedMessageCountsOnce) {
-  SampleLine line([](int number) { return number % 7 == 0 ? 2 : 1; });
-  VirtualClient client(board(), {}, &line);
-  const auto recorded = record(client);
-  ASSERT_TRUE(recorded) << recorded.error().message;
-  EXPECT_EQ(recorded->lost, 0U);
+TEST(Bode, TheLastMessagesMayBeLostAndARepeatedOneCountsOnce) {
+  SampleLine torn([](int number) { return number > 245 ? 0 : 1; });
+  const auto recorded = checked(record_over(torn));
+  EXPECT_EQ(recorded->input.size(), 5000U);
+  EXPECT_EQ(recorded->lost, 100U);
+  SampleLine repeating([](int number) { return number % 7 == 0 ? 2 : 1; });
+  EXPECT_EQ(checked(record_over(repeating))->lost, 0U);
 }
 
 TEST(Bode, ASilentBoardIsAnErrorThatSaysWhetherItMoves) {
@@ -219,10 +193,8 @@ TEST(Bode, ARefusalAndMotorsThatTurnOffAreErrors) {
     if (seen.samples > 2000) client.gimbal().set_motors(false, client.now());
     return true;
   };
-  const auto ended = record(client, 5000, options);
-  ASSERT_FALSE(ended);
-  EXPECT_EQ(ended.error().code, ErrorCode::board_error);
-  EXPECT_THAT(ended.error().message, HasSubstr("ended the recording with error 1 after 2"));
+  EXPECT_THAT(record(client, 5000, options),
+              fails(ErrorCode::board_error, "ended the recording with error 1 after 2"));
 }
 
 TEST(Bode, ProgressCanEndTheWait) {
@@ -235,9 +207,7 @@ TEST(Bode, ProgressCanEndTheWait) {
     last = seen.samples;
     return seen.samples < 1000;
   };
-  const auto recorded = record(client, 5000, options);
-  ASSERT_FALSE(recorded);
-  EXPECT_EQ(recorded.error().code, ErrorCode::cancelled);
+  EXPECT_THAT(record(client, 5000, options), fails(ErrorCode::cancelled));
   EXPECT_EQ(client.pending(), 0U);
   EXPECT_LT(last, 1500U);
   EXPECT_EQ(client.run(tasks::record_bode(recording(0))).error().code, ErrorCode::invalid);
@@ -248,8 +218,7 @@ TEST(Bode, ALostEndLosesNoSample) {
     SampleLine line([lost](int number) { return number > 250 - lost ? 0 : 1; });
     line.loses_end = true;
     VirtualClient client(board(), {}, &line);
-    const auto recorded = record(client);
-    ASSERT_TRUE(recorded) << recorded.error().message;
+    const auto recorded = checked(record(client));
     EXPECT_TRUE(recorded->is_end_lost);
     EXPECT_EQ(recorded->input.size(), 5000U);
     EXPECT_EQ(recorded->lost, 20U * static_cast<unsigned>(lost));
@@ -259,11 +228,8 @@ TEST(Bode, ALostEndLosesNoSample) {
 TEST(Bode, WithoutTheEndALineThatFallsSilentBeforeItIsAnError) {
   SampleLine line([](int number) { return number > 125 ? 0 : 1; });
   line.loses_end = true;
-  VirtualClient client(board(), {}, &line);
-  const auto recorded = record(client);
-  ASSERT_FALSE(recorded);
-  EXPECT_EQ(recorded.error().code, ErrorCode::timeout);
-  EXPECT_THAT(recorded.error().message, HasSubstr("the recording has started, but it failed"));
+  EXPECT_THAT(record_over(line),
+              fails(ErrorCode::timeout, "the recording has started, but it failed"));
 }
 
 /// Starts a recording and forgets it, as a program that is killed.
@@ -287,10 +253,8 @@ TEST(Bode, NothingStartsWhileTheBoardSendsAnEarlierRecording) {
       return true;
     };
     const Instant start = client.now();
-    const auto refused = record(client, 5000, options);
-    ASSERT_FALSE(refused);
-    EXPECT_EQ(refused.error().code, ErrorCode::board_error);
-    EXPECT_THAT(refused.error().message, HasSubstr("an earlier recording"));
+    EXPECT_THAT(record(client, 5000, options),
+                fails(ErrorCode::board_error, "an earlier recording"));
     EXPECT_FALSE(was_sent);
     EXPECT_LT(client.now() - start, milliseconds(1300));
   }
@@ -301,8 +265,7 @@ TEST(Bode, TheRestOfAnEarlierRecordingIsNoneOfTheNext) {
     SampleLine line(all);
     VirtualClient client(board(is_confirmed), {}, &line);
     leave_a_recording(client, 1000);  // 0.8 s, of which at least half a second is left
-    const auto recorded = record(client);
-    ASSERT_TRUE(recorded) << recorded.error().message;
+    const auto recorded = checked(record(client));
     EXPECT_EQ(recorded->input.size(), 5000U);
     EXPECT_EQ(recorded->lost, 0U);
     EXPECT_GT(check_against_plant(*recorded, 6, 200), 150U);
@@ -313,29 +276,22 @@ TEST(Bode, AWaitForSilenceCanBeCancelled) {
   VirtualClient client(board());
   BodeOptions options;
   options.progress = [](const BodeProgress&) { return false; };
-  const auto recorded = record(client, 5000, options);
-  ASSERT_FALSE(recorded);
-  EXPECT_EQ(recorded.error().code, ErrorCode::cancelled);
-  EXPECT_THAT(recorded.error().message, HasSubstr("no recording has started"));
+  EXPECT_THAT(record(client, 5000, options),
+              fails(ErrorCode::cancelled, "no recording has started"));
   EXPECT_TRUE(record(client)) << "the board has started none";
 }
 
 TEST(Bode, TheEndOfAnotherRecordingIsAnErrorThatSaysThatTheCameraMoves) {
   SampleLine line(all);
   line.stray.emplace().samples_count = 1000;
-  VirtualClient client(board(), {}, &line);
-  const auto recorded = record(client);
-  ASSERT_FALSE(recorded);
-  EXPECT_EQ(recorded.error().code, ErrorCode::bad_response);
-  EXPECT_THAT(recorded.error().message, HasSubstr("the recording has started, but it failed"));
-  EXPECT_THAT(recorded.error().message, HasSubstr("an end after 1000 of 5000 samples"));
+  EXPECT_THAT(record_over(line), fails(ErrorCode::bad_response,
+                                       AllOf(HasSubstr("the recording has started, but it failed"),
+                                             HasSubstr("an end after 1000 of 5000 samples"))));
 }
 
 TEST(BodeCollector, ASampleThatIsNoNumberIsLost) {
   detail::BodeCollector collector(recording(2));
-  msg::BodeTestData data;
-  data.input_max = 1;
-  data.output_max = std::numeric_limits<float>::quiet_NaN();
+  msg::BodeTestData data{.input_max = 1, .output_max = std::numeric_limits<float>::quiet_NaN()};
   ASSERT_TRUE(data.samples.push_back({65534, 65534}) && data.samples.push_back({0, 0}));
   collector.add(data);
   EXPECT_EQ(collector.lost(), 2U);
@@ -356,8 +312,8 @@ TEST(BodeCollector, ValuesAreBetweenTheLimitsOfTheMessage) {
   collector.add(data);
   const auto recorded = std::move(collector).finish({.samples_count = 2});  // the last index
   ASSERT_TRUE(recorded);
-  EXPECT_THAT(recorded->input, ::testing::ElementsAre(-1000.5, 500.125, 2000.75));
-  EXPECT_THAT(recorded->output, ::testing::ElementsAre(60.5, -50.25, 5.125));
+  EXPECT_THAT(recorded->input, ElementsAre(-1000.5, 500.125, 2000.75));
+  EXPECT_THAT(recorded->output, ElementsAre(60.5, -50.25, 5.125));
 }
 
 TEST(BodeFile, IsThatOfTheVendor) {
@@ -367,8 +323,7 @@ TEST(BodeFile, IsThatOfTheVendor) {
   recorded.output = {1e-7, 240.25, std::nan("")};
   const std::string text = to_csv(recorded);
   EXPECT_EQ(text, "%sbgc_test_data;70;0;1;3000;6;200\n0;1e-07\n-12345.5;240.25\nnan;nan\n");
-  const auto read = parse_bode_csv(text);
-  ASSERT_TRUE(read) << read.error().message;
+  const auto read = checked(parse_bode_csv(text));
   EXPECT_EQ(read->request, recorded.request);
   EXPECT_EQ(read->input[1], -12345.5);
   EXPECT_FLOAT_EQ(static_cast<float>(read->output[0]), 1e-7F);
@@ -377,19 +332,13 @@ TEST(BodeFile, IsThatOfTheVendor) {
   EXPECT_EQ(parse_bode_csv(to_csv(recorded))->output[1], recorded.output[1]) << "no digit is lost";
 }
 
-TEST(BodeFile, MayHaveWindowsLineEndsAndNoLastOne) {
-  const auto read = parse_bode_csv("%sbgc_test_data;11;2;3;1;1;1\r\n1.5;2\r\n-3;4e2");
-  ASSERT_TRUE(read) << read.error().message;
+TEST(BodeFile, MayHaveAByteOrderMarkWindowsLineEndsAndTinyNumbers) {
+  const auto read = checked(parse_bode_csv(
+      "\xEF\xBB\xBF%sbgc_test_data;11;2;3;1;1;1\r\n1.5;2\r\n-3;4e2\r\n1e-60;-1e-42"));
   EXPECT_EQ(read->request.axis, msg::BodeAxis::yaw);
   EXPECT_EQ(read->request.system, msg::BodeSystem::overall);
-  EXPECT_THAT(read->output, ::testing::ElementsAre(2, 400));
-}
-
-TEST(BodeFile, MayBeginWithAByteOrderMarkAndHaveTinyNumbers) {
-  const auto read = parse_bode_csv("\xEF\xBB\xBF%sbgc_test_data;11;2;3;1;1;1\n1e-60;-1e-42\n");
-  ASSERT_TRUE(read) << read.error().message;
-  EXPECT_EQ(read->input[0], 0);
-  EXPECT_EQ(read->output[0], static_cast<double>(-1e-42F));
+  EXPECT_THAT(read->input, ElementsAre(1.5, -3, 0));
+  EXPECT_THAT(read->output, ElementsAre(2, 400, static_cast<double>(-1e-42F)));
 }
 
 TEST(BodeFile, AnErrorNamesTheLine) {

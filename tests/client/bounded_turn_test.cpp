@@ -3,17 +3,12 @@
 #include "tasks/bounded_turn.hpp"
 
 #include <cmath>
-#include <memory>
-#include <string>
-#include <utility>
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <sbgc/client/motion.hpp>
 #include <sbgc/client/speed_control.hpp>
 
 #include "tasks/hold_speed.hpp"
+#include "testing.hpp"
 #include "virtual_client.hpp"
 
 namespace sbgc::test {
@@ -21,14 +16,13 @@ namespace {
 
 using detail::BoundedTurn;
 using detail::ShortTargets;
-using ::testing::HasSubstr;
 
 // The rules
 
 const ShortTargets::Angles somewhere{.roll = 1_deg, .pitch = -2_deg, .yaw = 30_deg};
 
 TEST(ShortTargets, LeadAheadByTheLookahead) {
-  ShortTargets targets(std::chrono::milliseconds(500));
+  ShortTargets targets(Ms(500));
   const auto next = targets.next({.pitch = -20_deg_per_s, .yaw = 10_deg_per_s}, somewhere);
   EXPECT_NEAR(next.angle.pitch.degrees(), -12, 0.05);
   EXPECT_NEAR(next.angle.yaw.degrees(), 35, 0.05);
@@ -37,7 +31,7 @@ TEST(ShortTargets, LeadAheadByTheLookahead) {
 }
 
 TEST(ShortTargets, TheOtherAxesKeepTheirFirstAngle) {
-  ShortTargets targets(std::chrono::milliseconds(500));
+  ShortTargets targets(Ms(500));
   const ShortTargets::Speed speed{.yaw = 10_deg_per_s};
   EXPECT_EQ(targets.next(speed, somewhere).angle.roll, somewhere.roll);
   const auto next = targets.next(speed, {.roll = 5_deg, .pitch = 5_deg, .yaw = 31_deg});
@@ -50,7 +44,7 @@ TEST(ShortTargets, TheOtherAxesKeepTheirFirstAngle) {
 }
 
 TEST(ShortTargets, TheSlowestSpeedTurnsAndTheLowestHasNoSign) {
-  ShortTargets targets(std::chrono::milliseconds(1));
+  ShortTargets targets(Ms(1));
   const auto slow = targets.next({.yaw = msg::ControlSpeed(-1)}, somewhere);
   EXPECT_EQ(slow.angle.yaw.raw(), somewhere.yaw.raw() - 1);
   const auto fast = targets.next({.yaw = msg::ControlSpeed(-32768)}, somewhere);
@@ -58,7 +52,7 @@ TEST(ShortTargets, TheSlowestSpeedTurnsAndTheLowestHasNoSign) {
 }
 
 TEST(ShortTargets, AnglesWrapAsOnTheBoard) {
-  ShortTargets targets(std::chrono::milliseconds(1000));
+  ShortTargets targets(Ms(1000));
   const auto next = targets.next({.yaw = 40_deg_per_s}, {.yaw = 700_deg});
   EXPECT_NEAR(next.angle.yaw.degrees(), 740 - 1440, 0.1);
 }
@@ -74,12 +68,8 @@ class BoundedTurnTest : public ::testing::Test {
  protected:
   /// Turns yaw at 20 deg/s for two seconds, then cuts the line for two seconds, during which the
   /// owner keeps refreshing.
-  void turn_and_cut(const CutLine& on,
-                    std::chrono::milliseconds lookahead = std::chrono::milliseconds(500)) {
-    emulator::EmulatorOptions options;
-    options.board.gimbal.noise = 0;
-    options.board.firmware = msg::FirmwareVersion(static_cast<std::uint16_t>(on.firmware));
-    client = std::make_unique<VirtualClient>(options);
+  void turn_and_cut(const CutLine& on, Ms lookahead = Ms(500)) {
+    client = std::make_unique<VirtualClient>(calm_board(on.firmware));
     const auto speed = client->held_speed();
     const Instant start = client->now();
     bool is_cut = false;
@@ -144,7 +134,7 @@ TEST_F(BoundedTurnTest, LaterFirmwareEndsSerialControl) {
 }
 
 TEST_F(BoundedTurnTest, TargetsWorkWithLaterFirmwareToo) {
-  turn_and_cut({2700, MotionBound::target}, std::chrono::milliseconds(1000));
+  turn_and_cut({2700, MotionBound::target}, Ms(1000));
   EXPECT_NEAR(speed_before, 20, 1);
   EXPECT_NEAR(speed_after, 0, 0.5);
   EXPECT_LT(way, 20 * 1.0 + 1);
@@ -156,7 +146,7 @@ ClientError turn_over_a_restart(VirtualClient& client) {
   const auto speed = client.held_speed();
   const Instant start = client.now();
   Result<void> last;
-  BoundedTurn motion(MotionBound::automatic, std::chrono::milliseconds(500));
+  BoundedTurn motion(MotionBound::automatic, Ms(500));
   static_cast<void>(
       client.run(detail::hold_speed(speed, std::move(motion), false), [&](TaskMachine& task) {
         if (client.now() - start < seconds(6)) {
@@ -170,8 +160,7 @@ ClientError turn_over_a_restart(VirtualClient& client) {
 }
 
 TEST_F(BoundedTurnTest, ARestartEndsTheMotion) {
-  emulator::EmulatorOptions options;
-  options.board.firmware = msg::FirmwareVersion(2730);
+  emulator::EmulatorOptions options = calm_board(2730);
   options.board.start_time = sbgc::milliseconds(900);
   options.restart_at = seconds(2);
   client = std::make_unique<VirtualClient>(options);
@@ -181,7 +170,7 @@ TEST_F(BoundedTurnTest, ARestartEndsTheMotion) {
 
 /// Turns for `time`, with a command every 100 ms.
 Task<Result<void>> turn_for(Duration time) {
-  BoundedTurn turn(MotionBound::timeout, std::chrono::milliseconds(500));
+  BoundedTurn turn(MotionBound::timeout, Ms(500));
   TaskMachine& task = co_await tasks::this_task();
   const Instant end = task.now() + time;
   while (task.now() < end) {
@@ -195,8 +184,7 @@ Task<Result<void>> turn_for(Duration time) {
 }
 
 TEST_F(BoundedTurnTest, ARestartThatNobodyNoticesIsCovered) {
-  emulator::EmulatorOptions options;
-  options.board.firmware = msg::FirmwareVersion(2730);
+  emulator::EmulatorOptions options = calm_board(2730);
   options.restart_at = seconds(1);
   client = std::make_unique<VirtualClient>(options);
   static_cast<void>(client->run(turn_for(seconds(8))));  // ignores the notice
@@ -206,7 +194,7 @@ TEST_F(BoundedTurnTest, ARestartThatNobodyNoticesIsCovered) {
 
 /// Turns for half a second and stops.
 Task<Result<void>> turn_and_stop(MotionBound bound) {
-  BoundedTurn turn(bound, std::chrono::milliseconds(500));
+  BoundedTurn turn(bound, Ms(500));
   TaskMachine& task = co_await tasks::this_task();
   const Result<void> turned = co_await turn.turn({.yaw = 20_deg_per_s});
   if (!turned) co_return turned;
@@ -218,33 +206,27 @@ Task<Result<void>> turn_and_stop(MotionBound bound) {
 }
 
 TEST_F(BoundedTurnTest, AfterAStopRcDoesNotTakeOver) {
-  emulator::EmulatorOptions options;
-  options.board.firmware = msg::FirmwareVersion(2700);
-  client = std::make_unique<VirtualClient>(options);
-  const auto done = client->run(turn_and_stop(MotionBound::automatic));
-  ASSERT_TRUE(done) << done.error().message;
+  client = std::make_unique<VirtualClient>(calm_board(2700));
+  require(client->run(turn_and_stop(MotionBound::automatic)));
   EXPECT_EQ(mode(), emulator::AxisMode::speed);
   EXPECT_NEAR(yaw_speed(), 0, 0.5);
 }
 
 TEST_F(BoundedTurnTest, OldFirmwareHasNoTimeout) {
   client = std::make_unique<VirtualClient>();  // 2.59
-  const auto done = client->run(turn_and_stop(MotionBound::timeout));
-  ASSERT_FALSE(done);
-  EXPECT_EQ(done.error().code, ErrorCode::unsupported);
-  EXPECT_THAT(done.error().message, HasSubstr("limiting the motion"));
+  EXPECT_THAT(client->run(turn_and_stop(MotionBound::timeout)),
+              fails(ErrorCode::unsupported, "limiting the motion"));
 }
 
 TEST_F(BoundedTurnTest, OptionsAreChecked) {
   client = std::make_unique<VirtualClient>();
-  const auto turn = [](std::chrono::milliseconds lookahead) -> Task<Result<void>> {
+  const auto turn = [](Ms lookahead) -> Task<Result<void>> {
     BoundedTurn motion(MotionBound::target, lookahead);
     co_return co_await motion.turn({.yaw = 20_deg_per_s});
   };
-  EXPECT_EQ(client->run(turn(std::chrono::milliseconds(0))).error().code, ErrorCode::invalid);
-  EXPECT_EQ(client->run(turn(std::chrono::milliseconds(60'001))).error().code, ErrorCode::invalid);
-  EXPECT_EQ(client->run(tasks::set_control_timeout(std::chrono::milliseconds(65'536))).error().code,
-            ErrorCode::invalid);
+  EXPECT_EQ(client->run(turn(Ms(0))).error().code, ErrorCode::invalid);
+  EXPECT_EQ(client->run(turn(Ms(60'001))).error().code, ErrorCode::invalid);
+  EXPECT_EQ(client->run(tasks::set_control_timeout(Ms(65'536))).error().code, ErrorCode::invalid);
 }
 
 }  // namespace

@@ -1,4 +1,3 @@
-#include <vector>
 
 #include <sbgc/client/calibration.hpp>
 
@@ -7,14 +6,10 @@
 namespace sbgc::test {
 namespace {
 
-using std::chrono::milliseconds;
-using ::testing::HasSubstr;
-
 class CalibrationTest : public TaskTest {
  protected:
   CalibrationOptions watched() {
-    CalibrationOptions options;
-    options.interval = milliseconds(1);
+    CalibrationOptions options{.interval = Ms(1)};
     options.progress = [this](const CalibrationProgress& seen) {
       EXPECT_TRUE(seen.has_started);
       if (seen.state) progress.push_back(seen.state->progress.raw());
@@ -24,7 +19,7 @@ class CalibrationTest : public TaskTest {
   }
 
   /// Advances the board's time by `time` with each progress request.
-  void let_pass(milliseconds time) {
+  void let_pass(Ms time) {
     board.after([this, time](const Packet& request) {
       if (is<msg::CalibInfoRequest>(request)) board.skip(time);
     });
@@ -35,7 +30,7 @@ class CalibrationTest : public TaskTest {
 };
 
 TEST_F(CalibrationTest, EndsWithTheSecondConfirmationAndTellsItsProgress) {
-  let_pass(milliseconds(700));
+  let_pass(Ms(700));
   EXPECT_TRUE(client().calibrate(Sensor::gyroscope, watched()));
   // The calibration takes 4 s. It may end after the last progress request, so one more is possible.
   ASSERT_GE(progress.size(), 3U);
@@ -61,26 +56,19 @@ TEST_F(CalibrationTest, TheBoardIsToldWhichImuAndWhatToDo) {
 
 TEST_F(CalibrationTest, WithoutTheFirstConfirmationItHasNotBegun) {
   board.on_lost([](const Packet& request) { return is<msg::CalibGyro>(request); });
-  const auto done = client().calibrate(Sensor::gyroscope);
-  ASSERT_FALSE(done);
-  EXPECT_EQ(done.error().code, ErrorCode::timeout);
-  EXPECT_THAT(done.error().message, HasSubstr("calibrating: "));
+  EXPECT_THAT(client().calibrate(Sensor::gyroscope), fails(ErrorCode::timeout, "calibrating: "));
 }
 
 TEST_F(CalibrationTest, WithoutTheSecondConfirmationItsEndIsNotKnown) {
   CalibrationOptions options;
-  options.timeout = milliseconds(1500);  // the calibration takes 4 s
-  const auto done = client().calibrate(Sensor::gyroscope, options);
-  ASSERT_FALSE(done);
-  EXPECT_EQ(done.error().code, ErrorCode::timeout);
-  EXPECT_THAT(done.error().message, HasSubstr("has started, but its result is unknown"));
+  options.timeout = Ms(1500);  // the calibration takes 4 s
+  EXPECT_THAT(client().calibrate(Sensor::gyroscope, options),
+              fails(ErrorCode::timeout, "has started, but its result is unknown"));
 }
 
 TEST_F(CalibrationTest, WaitingCanBeCancelled) {
   goes_on = false;
-  const auto done = client().calibrate(Sensor::gyroscope, watched());
-  ASSERT_FALSE(done);
-  EXPECT_EQ(done.error().code, ErrorCode::cancelled);
+  EXPECT_THAT(client().calibrate(Sensor::gyroscope, watched()), fails(ErrorCode::cancelled));
 }
 
 TEST_F(CalibrationTest, ABoardThatRestartsMeanwhileIsAnError) {
@@ -88,18 +76,14 @@ TEST_F(CalibrationTest, ABoardThatRestartsMeanwhileIsAnError) {
     for (const Packet& one : answers) looks += is<msg::CalibInfo>(one) ? 1 : 0;
     if (looks == 3) answers.push_back(packet(msg::Reset{}));
   });
-  const auto done = client().calibrate(Sensor::gyroscope, watched());
-  ASSERT_FALSE(done);
-  EXPECT_EQ(done.error().code, ErrorCode::board_reset);
+  EXPECT_THAT(client().calibrate(Sensor::gyroscope, watched()), fails(ErrorCode::board_reset));
 }
 
 TEST_F(CalibrationTest, ALineThatBreaksMeanwhileIsAnError) {
   board.after([this](const Packet& request) {
     if (is<msg::CalibInfoRequest>(request)) board.unplug();
   });
-  const auto done = client().calibrate(Sensor::gyroscope, watched());
-  ASSERT_FALSE(done);
-  EXPECT_EQ(done.error().code, ErrorCode::link_lost);
+  EXPECT_THAT(client().calibrate(Sensor::gyroscope, watched()), fails(ErrorCode::link_lost));
 }
 
 TEST_F(CalibrationTest, AnyRequestCanCalibrate) {
@@ -107,29 +91,22 @@ TEST_F(CalibrationTest, AnyRequestCanCalibrate) {
   board.after([this](const Packet& request) {
     if (is<msg::CalibPoles>(request)) board.skip(std::chrono::seconds(30));
   });
-  const auto poles = client().run_calibration(msg::CalibPoles{});
-  ASSERT_TRUE(poles) << poles.error().message;
+  const auto poles = checked(client().run_calibration(msg::CalibPoles{}));
   EXPECT_EQ(*poles, CalibrationEnd::finished);
   // Confirmed at the start only, if at all.
-  const auto mag = client().run_calibration(msg::CalibMag{});
-  ASSERT_TRUE(mag) << mag.error().message;
+  const auto mag = checked(client().run_calibration(msg::CalibMag{}));
   EXPECT_EQ(*mag, CalibrationEnd::accepted);
   board.on_answer_lost([](const Packet&) { return true; });
-  const auto battery = client().run_calibration(msg::CalibBat{});
-  ASSERT_FALSE(battery);
-  EXPECT_EQ(battery.error().code, ErrorCode::unconfirmed);
+  EXPECT_THAT(client().run_calibration(msg::CalibBat{}), fails(ErrorCode::unconfirmed));
 }
 
 TEST_F(CalibrationTest, OneAfterTheOther) {
   board.after([this](const Packet& request) {
     if (is<msg::CalibGyroExt>(request)) board.skip(std::chrono::seconds(30));
   });
-  msg::CalibGyroExt request;
-  request.imu_idx = msg::CalibImu::main;
-  request.action = msg::CalibAction::regular;
+  msg::CalibGyroExt request{.imu_idx = msg::CalibImu::main, .action = msg::CalibAction::regular};
   for (int i = 0; i < 2; ++i) {
-    const auto ended = client().run_calibration(request);
-    ASSERT_TRUE(ended) << ended.error().message;
+    const auto ended = checked(client().run_calibration(request));
     EXPECT_EQ(*ended, CalibrationEnd::finished);
   }
 }

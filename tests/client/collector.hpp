@@ -30,6 +30,11 @@ class Collector {
     return items_;
   }
 
+  void clear() {
+    const std::lock_guard lock(mutex_);
+    items_.clear();
+  }
+
   /// Waits until `done(items)` is true.
   template <class Done>
   bool wait_until(Done done) {

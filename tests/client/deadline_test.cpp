@@ -1,35 +1,24 @@
 // Tests of deadlines, without measuring time: in virtual time, or without the thread that would end
 // a call.
 
-#include <memory>
-#include <mutex>
-#include <span>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include <asio/error.hpp>
 #include <asio/io_context.hpp>
 #include <asio/post.hpp>
 #include <asio/strand.hpp>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <sbgc/client/backup.hpp>
-#include <sbgc/client/client.hpp>
 #include <sbgc/client/memory.hpp>
 #include <sbgc/client/motion.hpp>
-#include <sbgc/client/own_transport.hpp>
 
 #include "conversation/state.hpp"
 #include "driving/task_driver.hpp"
+#include "testing.hpp"
 #include "virtual_client.hpp"
 
 namespace sbgc::test {
 namespace {
 
 using Timeout = std::chrono::milliseconds;
-using ::testing::ElementsAre;
 
 // The thread that waits for a call ends it.
 
@@ -107,8 +96,7 @@ TEST_P(TaskDeadline, OfWriting) {
 }
 
 TEST_P(TaskDeadline, OfARestore) {
-  RestoreOptions options;
-  options.timeout = timeout;
+  RestoreOptions options{.timeout = timeout};
   options.save_current = [](const Backup&) { return Result<void>(); };
   Backup backup = *client.run(tasks::make_backup(""));
   backup.parameters = changed();
@@ -120,10 +108,7 @@ TEST_P(TaskDeadline, OfMemory) {
 }
 
 TEST_P(TaskDeadline, OfAMove) {
-  MoveOptions options;
-  options.timeout = timeout;
-  options.stop_on_failure = false;
-  options.speed = 5_deg_per_s;
+  MoveOptions options{.speed = 5_deg_per_s, .timeout = timeout, .stop_on_failure = false};
   expect_in_time(tasks::move_to({.yaw = 60_deg}, options));
 }
 
@@ -145,8 +130,7 @@ TEST_F(TaskDeadline, NoWriteIsBegunThatCouldNotBeFinished) {
   start = client.now();
   const WriteReport report =
       client.run(tasks::write_parameters(wanted, {.timeout = enough_to_prepare}));
-  ASSERT_FALSE(report);
-  EXPECT_EQ(report.outcome.error().code, ErrorCode::timeout);
+  ASSERT_THAT(report, fails(ErrorCode::timeout));
   EXPECT_LE(client.now() - start, milliseconds(enough_to_prepare.count()));
   for (const ParametersReport& block : report.parameters) {
     const bool is_changed = !block.wanted.empty();
@@ -202,9 +186,7 @@ TEST(ConnectDeadline, WhatAPortHasNotSentIsDiscardedBeforeItIsClosed) {
   const TransportFactory make = [&](const asio::any_io_executor& executor) {
     return std::make_unique<DeadPort>(executor, events);
   };
-  const auto client = connect_over(make, {.timeout = Timeout(100)});
-  ASSERT_FALSE(client);
-  EXPECT_EQ(client.error().code, ErrorCode::not_found);
+  EXPECT_THAT(connect_over(make, {.timeout = Timeout(100)}), fails(ErrorCode::not_found));
   EXPECT_THAT(events, ElementsAre("flushed", "closed"));
 }
 

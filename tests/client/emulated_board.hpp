@@ -43,6 +43,10 @@ struct FirstOf<TypeList<M, More...>> {
 template <class List>
 using First = typename FirstOf<List>::Type;
 
+/// The messages of all settings.
+using BackedUp = TypeList<msg::ReadParams3, msg::ReadParamsExt, msg::ReadParamsExt2,
+                          msg::ReadProfileNames, msg::ReadAdjVarsCfg, msg::ReadExternalData>;
+
 /// A board without noise, on a line without a rate.
 emulator::EmulatorOptions quick_board();
 
@@ -82,13 +86,18 @@ class EmulatedBoard {
   void after(std::function<void(const Packet&)> action);
   Packets log();
   void clear_log();
+  /// Returns the requests M in the log.
+  template <class M>
+  std::vector<M> requests() {
+    std::vector<M> result;
+    for (const Packet& one : log()) {
+      if (is<M>(one)) result.push_back(message<M>(one));
+    }
+    return result;
+  }
   template <class M>
   std::size_t count() {
-    return on_thread([this] {
-      std::size_t result = 0;
-      for (const Packet& one : hooks_.log) result += is<M>(one) ? 1U : 0U;
-      return result;
-    });
+    return requests<M>().size();
   }
   void unplug();
 

@@ -1,25 +1,12 @@
 // Tests the examples as a user runs them: over a serial port, here a pseudo-terminal.
 
-#include <string>
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <sbgc/io/pseudo_terminal.hpp>
-#include <sbgc/messages.hpp>
 
-#include "collector.hpp"
 #include "run_program.hpp"
-#include "scripted_board.hpp"
+#include "testing.hpp"
 
 namespace sbgc::test {
 namespace {
-
-using ::testing::AllOf;
-using ::testing::Contains;
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
 /// A gimbal that moves to its target immediately.
 class Examples : public ::testing::Test {
@@ -87,8 +74,7 @@ TEST_F(Examples, QuickstartLeavesTheMotorsAsTheyWere) {
 }
 
 TEST_F(Examples, QuickstartLeavesMotorsOnThatWereOn) {
-  msg::RealtimeData4 state;
-  state.other_flags = msg::OtherFlag::motors_on;
+  msg::RealtimeData4 state{.other_flags = msg::OtherFlag::motors_on};
   board.answer<msg::RealtimeData4Request>(state);
   EXPECT_EQ(run_program(SBGC_EXAMPLE_QUICKSTART " " + port + " --yes").status, 0);
   EXPECT_THAT(motors.wait_for(0), IsEmpty());

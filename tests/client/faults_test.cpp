@@ -1,21 +1,11 @@
 // Tests of the client and the emulated board over faulty lines.
 
-#include <chrono>
-#include <cstdint>
-#include <future>
-#include <vector>
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <sbgc/client/backup.hpp>
-#include <sbgc/client/client.hpp>
 #include <sbgc/client/memory.hpp>
 #include <sbgc/detector.hpp>
 #include <sbgc/io/line.hpp>
 
-#include "emulated_board.hpp"
-#include "scripted_board.hpp"
+#include "testing.hpp"
 
 namespace sbgc::test {
 namespace {
@@ -33,10 +23,8 @@ void expect_backup(const emulator::Faults& faults) {
   emulator::EmulatorOptions options = quick_board();
   options.line.faults = faults;
   EmulatedBoard board(options, original.memory(), false);
-  auto client = connect_over(board.line(), patient());
-  ASSERT_TRUE(client) << client.error().message;
-  const auto backup = client->make_backup();
-  ASSERT_TRUE(backup) << backup.error().message;
+  auto client = checked(connect_over(board.line(), patient()));
+  const auto backup = checked(client->make_backup());
   EXPECT_EQ(backup->parameters.all().size(), 18U);
   for (std::uint8_t profile = 0; profile < 5; ++profile) {
     EXPECT_EQ(*backup->parameters.get<msg::ReadParams3>(profile),
@@ -62,10 +50,8 @@ TEST(Faults, ABackupGetsThroughText) {
   emulator::EmulatorOptions options = quick_board();
   options.line.faults.text_every = milliseconds(2);
   EmulatedBoard board(options, {}, false);
-  auto client = connect_over(board.line(), patient());
-  ASSERT_TRUE(client) << client.error().message;
-  const auto backup = client->make_backup();
-  ASSERT_TRUE(backup) << backup.error().message;
+  auto client = checked(connect_over(board.line(), patient()));
+  const auto backup = checked(client->make_backup());
   EXPECT_EQ(*backup->parameters.get<msg::ReadParams3>(4), board.settings<msg::ReadParams3>(4));
   EXPECT_GT(client->statistics().session.parser.skipped_bytes, 0U) << "there was no text";
 }
@@ -74,12 +60,11 @@ TEST(Faults, ABoardThatIsSwitchedOffAndOnAnswersAgain) {
   emulator::EmulatorOptions options = quick_board();
   options.board.start_time = seconds(60);  // longer than this machine may stall
   EmulatedBoard board(options);
-  auto client = connect_over(board.line(), patient());
-  ASSERT_TRUE(client) << client.error().message;
+  auto client = checked(connect_over(board.line(), patient()));
   // No request may be pending then, such as one repeated after a stall.
   ASSERT_TRUE(client->get_angles({}, {.timeout = std::chrono::seconds(60), .retries = 0}));
   board.restart();
-  EXPECT_FALSE(client->get_angles({}, {.timeout = std::chrono::milliseconds(20), .retries = 0}));
+  EXPECT_FALSE(client->get_angles({}, {.timeout = Ms(20), .retries = 0}));
   board.skip(std::chrono::seconds(61));
   EXPECT_TRUE(client->get_angles());
 }
@@ -95,7 +80,7 @@ TEST(Faults, ABoardIsFoundAtEveryBaudRateAndParity) {
         options.timeout = std::chrono::seconds(60);
         auto client = connect_over(board.line_with(settings), options);
         ASSERT_TRUE(client) << io::to_string(settings) << ": " << client.error().message;
-        EXPECT_THAT(client->description(), ::testing::HasSubstr(io::to_string(settings)));
+        EXPECT_THAT(client->description(), HasSubstr(io::to_string(settings)));
         EXPECT_TRUE(client->get_angles());
       }));
     }

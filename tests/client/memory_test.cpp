@@ -1,6 +1,4 @@
 #include <numeric>
-#include <string>
-#include <vector>
 
 #include <sbgc/client/memory.hpp>
 
@@ -12,9 +10,6 @@ namespace {
 
 using detail::page_runs;
 using detail::PageRun;
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
 std::vector<std::uint8_t> bytes(std::size_t size, unsigned seed = 1) {
   std::vector<std::uint8_t> result(size);
@@ -88,8 +83,7 @@ TEST_F(MemoryTest, EepromIsReadFromAnywhere) {
   const auto eeprom = board.memory().eeprom;
   for (const auto& [address, size] : std::vector<std::pair<std::uint32_t, std::size_t>>{
            {0, 64}, {64, 192}, {100, 1}, {127, 2}, {1000, 777}, {32767, 1}, {0, 32768}, {5, 0}}) {
-    const auto read = client().download_eeprom(address, size);
-    ASSERT_TRUE(read) << read.error().message;
+    const auto read = checked(client().download_eeprom(address, size));
     const auto first = eeprom.begin() + address;
     EXPECT_EQ(*read, std::vector<std::uint8_t>(first, first + static_cast<std::ptrdiff_t>(size)))
         << address << ' ' << size;
@@ -110,8 +104,7 @@ TEST_F(MemoryTest, EepromIsWrittenWithoutTouchingWhatIsAround) {
     auto expected = board.memory().eeprom;
     const auto data = bytes(size, address);
     std::copy(data.begin(), data.end(), expected.begin() + address);
-    const auto written = client().upload_eeprom(address, data);
-    ASSERT_TRUE(written) << written.error().message;
+    require(client().upload_eeprom(address, data));
     EXPECT_EQ(board.memory().eeprom, expected) << address << ' ' << size;
   }
 }
@@ -128,11 +121,9 @@ TEST_F(MemoryTest, EepromThatDoesNotKeepWhatIsWrittenIsNoticed) {
   });
   auto data = bytes(1000);
   data[0x10] = 0x11;
-  const auto written = client().upload_eeprom(0x200, data);
-  ASSERT_FALSE(written);
-  EXPECT_EQ(written.error().code, ErrorCode::mismatch);
-  EXPECT_THAT(written.error().message, HasSubstr("wrote 0x11, but read back 0xee at "
-                                                 "0x210; nothing was verifiably written"));
+  EXPECT_THAT(client().upload_eeprom(0x200, data), fails(ErrorCode::mismatch,
+                                                         "wrote 0x11, but read back 0xee at "
+                                                         "0x210; nothing was verifiably written"));
 }
 
 TEST_F(MemoryTest, AFailureTellsUpToWhereTheDataStand) {
@@ -140,10 +131,8 @@ TEST_F(MemoryTest, AFailureTellsUpToWhereTheDataStand) {
   board.on_lost([](const Packet& request) {
     return is<msg::EepromWrite>(request) && message<msg::EepromWrite>(request).addr >= 384;
   });
-  const auto written = client().upload_eeprom(0, bytes(1000));
-  ASSERT_FALSE(written);
-  EXPECT_EQ(written.error().code, ErrorCode::timeout);
-  EXPECT_THAT(written.error().message, HasSubstr("the data are written up to 0x180"));
+  EXPECT_THAT(client().upload_eeprom(0, bytes(1000)),
+              fails(ErrorCode::timeout, "the data are written up to 0x180"));
 }
 
 TEST_F(MemoryTest, TransfersTellTheirProgressAndCanBeCancelled) {
@@ -163,18 +152,10 @@ TEST_F(MemoryTest, TransfersTellTheirProgressAndCanBeCancelled) {
   EXPECT_EQ(client().download_eeprom(0, 500, options).error().code, ErrorCode::cancelled);
 }
 
-TEST_F(MemoryTest, TransfersEndWithTheirTime) {
-  board.after([&](const Packet&) { clock.advance(std::chrono::seconds(1)); });
-  TransferOptions options{.timeout = std::chrono::milliseconds(1500)};
-  EXPECT_EQ(client().run(tasks::download_eeprom(0, 10'000, options), clock).error().code,
-            ErrorCode::timeout);
-}
-
 TEST_F(MemoryTest, FilesComeBackAsTheyWereWritten) {
   for (const std::size_t size : std::vector<std::size_t>{1, 63, 64, 192, 193, 1000, 16000}) {
     const auto data = bytes(size);
-    const auto written = client().upload_file(7, data);
-    ASSERT_TRUE(written) << written.error().message;
+    require(client().upload_file(7, data));
     EXPECT_EQ(file(7), data) << size;
     EXPECT_EQ(*client().download_file(7), data) << size;
     EXPECT_EQ(*client().file_size(7), size);
@@ -193,8 +174,7 @@ TEST_F(MemoryTest, AnEmptyFileCanBeRead) {
       one = packet(empty);
     }
   });
-  const auto read = client().download_file(3);
-  ASSERT_TRUE(read) << read.error().message;
+  const auto read = checked(client().download_file(3));
   EXPECT_THAT(*read, IsEmpty());
 }
 
@@ -235,10 +215,7 @@ TEST_F(MemoryTest, AFileThatIsReadBackDifferentlyIsNoticed) {
     content[2] = 0xEE;
     put_file(5, content);
   });
-  const auto written = client().upload_file(5, bytes(10));
-  ASSERT_FALSE(written);
-  EXPECT_EQ(written.error().code, ErrorCode::mismatch);
-  EXPECT_THAT(written.error().message, HasSubstr("from byte 2"));
+  EXPECT_THAT(client().upload_file(5, bytes(10)), fails(ErrorCode::mismatch, "from byte 2"));
 }
 
 TEST_F(MemoryTest, DataOfTheUserAreChangedInPart) {
@@ -248,8 +225,7 @@ TEST_F(MemoryTest, DataOfTheUserAreChangedInPart) {
   const std::vector<std::uint8_t> data{1, 2};
   EXPECT_TRUE(client().upload_user_data(100, data));
   EXPECT_EQ(board.settings<msg::ReadExternalData>().data, expected);
-  const auto read = client().download_user_data();
-  ASSERT_TRUE(read);
+  const auto read = checked(client().download_user_data());
   EXPECT_TRUE(std::equal(read->begin(), read->end(), expected.begin(), expected.end()));
   EXPECT_FALSE(client().upload_user_data(127, data));
   EXPECT_FALSE(client().upload_user_data(0, bytes(129)));

@@ -1,27 +1,13 @@
 // Tests of loading firmware into modules, in virtual time.
 
-#include <chrono>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <random>
-#include <string>
-#include <vector>
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <sbgc/client/modules.hpp>
 #include <sbgc/parser.hpp>
 
+#include "testing.hpp"
 #include "virtual_client.hpp"
 
 namespace sbgc::test {
 namespace {
-
-using ::testing::ElementsAreArray;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
 constexpr auto driver = msg::ModuleId::can_drv1;
 
@@ -83,11 +69,10 @@ TEST(Modules, FirmwareArrivesWhole) {
   VirtualClient client(newest(), {}, &line);
   const auto bytes = firmware(300U * 128 + 12);  // more parts than their number can count
   std::vector<std::size_t> seen;
-  const auto done = client.run(tasks::flash_module(driver, bytes, [&](const Progress& progress) {
+  require(client.run(tasks::flash_module(driver, bytes, [&](const Progress& progress) {
     seen.push_back(progress.done);
     return progress.total == bytes.size();
-  }));
-  ASSERT_TRUE(done) << done.error().message;
+  })));
   EXPECT_THAT(client.emulator().board().module_firmware().at(driver), ElementsAreArray(bytes));
   EXPECT_EQ(line.parts.size(), 301U);
   expect_in_order(line.parts);
@@ -100,9 +85,8 @@ TEST(Modules, WhatCannotBeFirmwareIsRefusedBeforeAnythingIsErased) {
     EXPECT_EQ(client.run(tasks::flash_module(driver, firmware(size))).error().code,
               ErrorCode::invalid);
   }
-  const auto missing = client.run(tasks::flash_module(msg::ModuleId::udrv1, firmware(8)));
-  EXPECT_EQ(missing.error().code, ErrorCode::not_found);
-  EXPECT_THAT(missing.error().message, HasSubstr("no module UDRV1"));
+  EXPECT_THAT(client.run(tasks::flash_module(msg::ModuleId::udrv1, firmware(8))),
+              fails(ErrorCode::not_found, "no module UDRV1"));
   const auto refuses = [](const Progress&) { return false; };
   EXPECT_EQ(client.run(tasks::flash_module(driver, firmware(8), refuses)).error().code,
             ErrorCode::cancelled);
@@ -113,12 +97,10 @@ TEST(Modules, AnErrorSaysWhichPartWasConfirmedLastAndHowToGoOn) {
   PartsLine line;
   VirtualClient client(newest(), {}, &line);
   line.lose(VirtualLine::Way::to_host, 1 + 1 + 4);  // the list, the start, the fourth part
-  const auto done = client.run(tasks::flash_module(driver, firmware(1280)));
-  ASSERT_FALSE(done);
-  EXPECT_EQ(done.error().code, ErrorCode::timeout);
-  EXPECT_THAT(done.error().message, HasSubstr("writing part 3: "));
-  EXPECT_THAT(done.error().message, HasSubstr("part 2 was confirmed last"));
-  EXPECT_THAT(done.error().message, HasSubstr("again from the beginning"));
+  EXPECT_THAT(client.run(tasks::flash_module(driver, firmware(1280))),
+              fails(ErrorCode::timeout,
+                    AllOf(HasSubstr("writing part 3: "), HasSubstr("part 2 was confirmed last"),
+                          HasSubstr("again from the beginning"))));
   EXPECT_EQ(line.parts.size(), 4U);
 }
 
@@ -126,11 +108,10 @@ TEST(Modules, ALineThatMayRepeatPacketsIsRefused) {
   for (const bool is_known_by_its_kind : {true, false}) {
     PartsLine line(is_known_by_its_kind);
     ConnectOptions options;
-    if (!is_known_by_its_kind) options.duplicate_window = std::chrono::milliseconds(200);
+    if (!is_known_by_its_kind) options.duplicate_window = Ms(200);
     VirtualClient client(newest(), {}, &line, options);
-    const auto refused = client.run(tasks::flash_module(driver, firmware(1280)));
-    EXPECT_EQ(refused.error().code, ErrorCode::unsupported);
-    EXPECT_THAT(refused.error().message, HasSubstr("may repeat packets"));
+    EXPECT_THAT(client.run(tasks::flash_module(driver, firmware(1280))),
+                fails(ErrorCode::unsupported, "may repeat packets"));
     EXPECT_THAT(client.emulator().board().module_firmware(), IsEmpty());
   }
 }
@@ -161,8 +142,7 @@ TEST(Modules, LossesAndKillsNeverRepeatOrSkipAPart) {
     // The next time starts from the beginning.
     line.parts.clear();
     line.lose_nothing();
-    const auto again = client.run(tasks::flash_module(driver, bytes));
-    ASSERT_TRUE(again) << again.error().message;
+    require(client.run(tasks::flash_module(driver, bytes)));
     expect_in_order(line.parts);
     EXPECT_THAT(loaded.at(driver), ElementsAreArray(bytes));
   }

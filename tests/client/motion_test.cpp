@@ -1,7 +1,4 @@
-#include <algorithm>
 #include <cmath>
-#include <utility>
-#include <vector>
 
 #include <sbgc/client/motion.hpp>
 
@@ -9,10 +6,6 @@
 
 namespace sbgc::test {
 namespace {
-
-using std::chrono::milliseconds;
-using ::testing::ContainsRegex;
-using ::testing::HasSubstr;
 
 class MotionTest : public TaskTest {
  protected:
@@ -52,16 +45,15 @@ TEST_F(MotionTest, MovesAllAxesAndWaitsForTheEnd) {
   connect();
   const Instant before = board.now();
   const auto moved =
-      move_to({.roll = 10_deg, .pitch = -30_deg, .yaw = 90_deg}, {.speed = 50_deg_per_s});
-  ASSERT_TRUE(moved) << moved.error().message;
+      checked(move_to({.roll = 10_deg, .pitch = -30_deg, .yaw = 90_deg}, {.speed = 50_deg_per_s}));
   EXPECT_NEAR(moved->angles.pitch.degrees(), -30, 0.5);
   EXPECT_TRUE(moved->is_close);
   EXPECT_NEAR(sample().angles.yaw, 90, 0.6);
   // 90 degrees at 50 deg/s, followed by the settling time. The board's time advances even if this
   // machine stalls, so less time may pass here.
   EXPECT_GE((board.now() - before).us, 2'000'000);
-  EXPECT_GE(moved->elapsed, milliseconds(300));
-  EXPECT_LE(moved->elapsed, milliseconds(4000));
+  EXPECT_GE(moved->elapsed, Ms(300));
+  EXPECT_LE(moved->elapsed, Ms(4000));
   EXPECT_GE(count<msg::GetAnglesRequest>(), 7U);
   EXPECT_EQ(count<msg::Control>(), 1U);
   const msg::Control sent = last_control();
@@ -75,10 +67,9 @@ TEST_F(MotionTest, BeginsAMoveAndLeavesIt) {
   board.on_lost([first = true](const Packet& request) mutable {
     return is<msg::Control>(request) && std::exchange(first, false);
   });
-  const auto begun = client().run(
+  const auto begun = checked(client().run(
       tasks::begin_move({.roll = 1_deg, .pitch = -20_deg, .yaw = 2_deg}, {.speed = 1_deg_per_s}),
-      clock);
-  ASSERT_TRUE(begun) << begun.error().message;
+      clock));
   // 18 s before the end, so that a machine that stalls makes no difference.
   EXPECT_GT(std::abs(begun->remaining.pitch), 2);
   EXPECT_EQ(count<msg::Control>(), 2U) << "the first one was lost";
@@ -88,19 +79,15 @@ TEST_F(MotionTest, BeginsAMoveAndLeavesIt) {
 }
 
 TEST_F(MotionTest, AMoveThatIsThereHasBegun) {
-  const auto begun = client().run(tasks::begin_move({.pitch = msg::Angle14(0)}), clock);
-  ASSERT_TRUE(begun) << begun.error().message;
+  const auto begun = checked(client().run(tasks::begin_move({.pitch = msg::Angle14(0)}), clock));
   EXPECT_TRUE(begun->is_close);
 }
 
 TEST_F(MotionTest, AMoveDoesNotBeginWithoutMotors) {
   client();
   board.write(msg::MotorsOff{});
-  const auto begun =
-      client().run(tasks::begin_move({.pitch = 20_deg}, {.timeout = milliseconds(500)}), clock);
-  ASSERT_FALSE(begun);
-  EXPECT_EQ(begun.error().code, ErrorCode::timeout);
-  EXPECT_THAT(begun.error().message, HasSubstr("are the motors on?"));
+  EXPECT_THAT(client().run(tasks::begin_move({.pitch = 20_deg}, {.timeout = Ms(500)}), clock),
+              fails(ErrorCode::timeout, "are the motors on?"));
 }
 
 TEST_F(MotionTest, LeavesAxesAlone) {
@@ -123,9 +110,8 @@ TEST_F(MotionTest, OldFirmwareHoldsThemAtTheirTargets) {
 
 TEST_F(MotionTest, ATargetAfterTheEndOfTheCountIsNear) {
   place({.yaw = 719.8});
-  const auto moved = move_to({.yaw = msg::Angle14(-32768)}, {.tolerance = 0.5});
-  ASSERT_TRUE(moved) << moved.error().message;
-  EXPECT_LT(moved->elapsed, milliseconds(1000));
+  const auto moved = checked(move_to({.yaw = msg::Angle14(-32768)}, {.tolerance = 0.5}));
+  EXPECT_LT(moved->elapsed, Ms(1000));
 }
 
 TEST_F(MotionTest, HasToStayThere) {
@@ -149,37 +135,31 @@ TEST_F(MotionTest, ALostCommandIsSentAgain) {
   board.on_lost([first = true](const Packet& request) mutable {
     return is<msg::Control>(request) && std::exchange(first, false);
   });
-  const auto moved = move_to({.pitch = 20_deg});
-  ASSERT_TRUE(moved) << moved.error().message;
+  require(move_to({.pitch = 20_deg}));
   EXPECT_EQ(count<msg::Control>(), 2U);
 }
 
 TEST_F(MotionTest, TellsHowFarItGot) {
   board.gimbal([](emulator::Gimbal& gimbal, Instant now) { gimbal.jam(1, true, now); });
-  const auto moved = move_to({.pitch = 20_deg});
-  ASSERT_FALSE(moved);
-  EXPECT_EQ(moved.error().code, ErrorCode::timeout);
-  EXPECT_THAT(moved.error().message,
-              ContainsRegex("pitch is at -?0.[0-9]+ deg, [12][0-9].[0-9]+ deg from its target; "
-                            "it has been stopped"));
+  EXPECT_THAT(
+      move_to({.pitch = 20_deg}),
+      fails(ErrorCode::timeout,
+            ContainsRegex("pitch is at -?0.[0-9]+ deg, [12][0-9].[0-9]+ deg from its target; "
+                          "it has been stopped")));
   EXPECT_EQ(last_control().control_mode.mode(), msg::ControlModeKind::speed);
 }
 
 TEST_F(MotionTest, CanBeCancelled) {
   MoveOptions settings;
   settings.progress = [](const MoveProgress& seen) { return seen.remaining.pitch > 10; };
-  const auto moved = move_to({.pitch = 20_deg}, settings);
-  ASSERT_FALSE(moved);
-  EXPECT_EQ(moved.error().code, ErrorCode::cancelled);
+  EXPECT_THAT(move_to({.pitch = 20_deg}, settings), fails(ErrorCode::cancelled));
   EXPECT_EQ(last_control().control_mode.mode(), msg::ControlModeKind::speed);
 }
 
 TEST_F(MotionTest, DoesNotBeginIfItIsCancelledBefore) {
   MoveOptions settings;
   settings.progress = [](const MoveProgress&) { return false; };
-  const auto moved = move_to({.pitch = 20_deg}, settings);
-  ASSERT_FALSE(moved);
-  EXPECT_EQ(moved.error().code, ErrorCode::cancelled);
+  EXPECT_THAT(move_to({.pitch = 20_deg}, settings), fails(ErrorCode::cancelled));
   EXPECT_EQ(count<msg::Control>(), 0U);
 }
 
@@ -187,14 +167,12 @@ TEST_F(MotionTest, ASilentBoardIsAnErrorAndIsToldToStop) {
   connect(few_retries);
   board.on_lost([this](const Packet&) {
     if (board.count<msg::GetAnglesRequest>() <= 5) return false;
-    clock.advance(milliseconds(500));  // as long as the client waits for a response
+    clock.advance(Ms(500));  // as long as the client waits for a response
     return true;
   });
   MoveOptions settings;
-  const auto moved = move_to({.pitch = 20_deg}, settings);
-  ASSERT_FALSE(moved);
-  EXPECT_EQ(moved.error().code, ErrorCode::timeout);
-  EXPECT_THAT(moved.error().message, HasSubstr("stopping it failed"));
+  EXPECT_THAT(move_to({.pitch = 20_deg}, settings),
+              fails(ErrorCode::timeout, "stopping it failed"));
 }
 
 TEST_F(MotionTest, SenselessMovesAreRefused) {
@@ -236,9 +214,8 @@ TEST_F(MotionTest, Releases) {
 void refuse_control(Packets& answers) {
   const auto is_angles = [](const Packet& one) { return is<msg::GetAngles>(one); };
   if (!std::ranges::any_of(answers, is_angles)) return;
-  msg::ErrorExt error;
-  error.cmd_id = msg::CommandToBoard::control;
-  error.error_code = msg::BoardErrorCode::wrong_state;
+  msg::ErrorExt error{.cmd_id = msg::CommandToBoard::control,
+                      .error_code = msg::BoardErrorCode::wrong_state};
   answers.insert(answers.begin(), packet(error));
 }
 
@@ -246,11 +223,9 @@ TEST_F(MotionTest, ARefusedTargetIsAnErrorAtOnce) {
   connect();
   board.on_lost([](const Packet& request) { return is<msg::Control>(request); });
   board.tamper(refuse_control);
-  const auto moved = move_to({.roll = msg::Angle14(0), .pitch = -30_deg}, {.speed = 10_deg_per_s});
-  ASSERT_FALSE(moved);
-  EXPECT_EQ(moved.error().code, ErrorCode::board_error);
-  EXPECT_EQ(moved.error().message,
-            "CMD_CONTROL: the board refused: WRONG_STATE; the camera is not turning");
+  EXPECT_THAT(move_to({.roll = msg::Angle14(0), .pitch = -30_deg}, {.speed = 10_deg_per_s}),
+              fails(ErrorCode::board_error,
+                    Eq("CMD_CONTROL: the board refused: WRONG_STATE; the camera is not turning")));
 }
 
 TEST_F(MotionTest, ARefusedStopIsAnErrorWhileTheCameraTurns) {
@@ -258,12 +233,9 @@ TEST_F(MotionTest, ARefusedStopIsAnErrorWhileTheCameraTurns) {
   turn(5_deg_per_s);
   board.on_lost([](const Packet& request) { return is<msg::Control>(request); });
   board.tamper(refuse_control);
-  const auto stopped = stop();
-  ASSERT_FALSE(stopped);
-  EXPECT_EQ(stopped.error().code, ErrorCode::board_error);
-  EXPECT_THAT(
-      stopped.error().message,
-      HasSubstr("CMD_CONTROL: the board refused: WRONG_STATE; the camera still turns: yaw"));
+  EXPECT_THAT(stop(),
+              fails(ErrorCode::board_error,
+                    "CMD_CONTROL: the board refused: WRONG_STATE; the camera still turns: yaw"));
 }
 
 }  // namespace

@@ -1,13 +1,9 @@
 // Tests of a client without threads that finds its line and its framing.
 
-#include <optional>
-#include <span>
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <sbgc/client/passive_client.hpp>
 #include <sbgc/emulator/emulator.hpp>
+
+#include "testing.hpp"
 
 namespace sbgc::test {
 namespace {
@@ -53,8 +49,7 @@ class Search : public ::testing::Test {
 };
 
 TEST_F(Search, FindsTheLineThenTheNewestFraming) {
-  const auto found = search();
-  ASSERT_TRUE(found) << found.error().message;
+  require(search());
   EXPECT_EQ(line, board_line);
 
   std::optional<Result<void>> connected;
@@ -69,9 +64,7 @@ TEST_F(Search, FindsTheLineThenTheNewestFraming) {
 
 TEST_F(Search, FailsWhereNoSettingsServe) {
   refused_rate = board_line.baud_rate;
-  const auto found = search();
-  ASSERT_FALSE(found);
-  EXPECT_EQ(found.error().code, ErrorCode::not_found);
+  EXPECT_THAT(search(), fails(ErrorCode::not_found));
 }
 
 }  // namespace

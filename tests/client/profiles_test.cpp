@@ -1,4 +1,3 @@
-#include <string>
 
 #include <sbgc/client/profiles.hpp>
 
@@ -6,9 +5,6 @@
 
 namespace sbgc::test {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 
 class ProfilesTest : public TaskTest {
  protected:
@@ -26,8 +22,7 @@ class ProfilesTest : public TaskTest {
 TEST_F(ProfilesTest, TellsTheActiveProfile) {
   EXPECT_EQ(*client().active_profile(), 0U);
   board.write(msg::ExecuteMenu{msg::MenuCommand::profile5});
-  const Result<std::size_t> active = client().active_profile();
-  ASSERT_TRUE(active) << active.error().message;
+  const auto active = checked(client().active_profile());
   EXPECT_EQ(*active, 4U);
 }
 
@@ -42,8 +37,7 @@ TEST_F(ProfilesTest, AnActiveProfileThatDoesNotExistIsRefused) {
 
 TEST_F(ProfilesTest, NamesAreReadWithoutTheirPadding) {
   set(2, "Höhe ½");
-  const auto read = client().profile_names();
-  ASSERT_TRUE(read);
+  const auto read = checked(client().profile_names());
   EXPECT_THAT(*read, ElementsAre("Handheld", "", "Höhe ½", "", ""));
 }
 

@@ -1,14 +1,11 @@
 // Tests of requests whose types are not known to the program.
 
-#include <array>
-#include <cstdint>
-#include <span>
-
-#include <gtest/gtest.h>
-
 #include <sbgc/client/raw_request.hpp>
+#include <sbgc/meta/all.hpp>
 #include <sbgc/responses/all.hpp>
 #include <sbgc/surplus.hpp>
+
+#include "testing.hpp"
 
 namespace sbgc::test {
 namespace {

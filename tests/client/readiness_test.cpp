@@ -1,21 +1,12 @@
 // The conditions of a calibration, in virtual time.
 
-#include <functional>
-#include <optional>
-#include <string>
-#include <utility>
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <sbgc/client/readiness.hpp>
 
+#include "testing.hpp"
 #include "virtual_client.hpp"
 
 namespace sbgc::test {
 namespace {
-
-using testing::HasSubstr;
 
 class ReadinessTest : public testing::Test {
  public:

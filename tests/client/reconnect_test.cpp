@@ -1,46 +1,12 @@
 // Tests of the client that connects again by itself.
 
-#include <atomic>
-#include <chrono>
-#include <memory>
-#include <mutex>
-#include <optional>
-#include <string>
-#include <thread>
-#include <utility>
-#include <vector>
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <sbgc/client/client.hpp>
 #include <sbgc/client/reconnecting_client.hpp>
 #include <sbgc/client/speed_control.hpp>
-#include <sbgc/messages.hpp>
 
-#include "collector.hpp"
-#include "emulated_board.hpp"
-#include "manual_clock.hpp"
-#include "scripted_board.hpp"
+#include "testing.hpp"
 
 namespace sbgc::test {
 namespace {
-
-using std::chrono::steady_clock;
-using ::testing::Contains;
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using Ms = std::chrono::milliseconds;
-
-ReconnectOptions quick_reconnect() {
-  ReconnectOptions options;
-  options.connection = quick();
-  options.connection.detect_line = false;
-  options.first_pause = Ms(1);
-  options.longest_pause = Ms(5);
-  options.longest_silence = Ms(0);
-  return options;
-}
 
 /// The ports of a machine, as a test sets them.
 class Ports {
@@ -65,59 +31,39 @@ io::PortInfo usb_port(const std::string& name, const std::string& serial_number)
   return {name, "adapter", io::UsbInfo{0x10c4, 0xea60, "", "adapter", serial_number}};
 }
 
-class Reconnecting : public ::testing::Test {
+class Reconnecting : public CableTest {
  protected:
-  /// Returns lines to the board as long as the cable is plugged in.
-  TransportFactory cable() {
-    return [this, line = board.line()](const asio::any_io_executor& executor) {
-      ++attempts;
-      return is_plugged ? line(executor) : nullptr;
-    };
-  }
-  Client connect(const ReconnectOptions& options = quick_reconnect()) {
+  Client connect(const ReconnectOptions& options = quick_again()) {
     return watched(connect_over(cable(), options));
   }
   Client connect(const std::string& path, const ReconnectOptions& options) {
     return watched(Client::connect(path, options));
   }
-  void pull() {
-    is_plugged = false;
-    board.unplug();
-  }
-  bool wait_for(LinkState state, std::size_t times = 1) {
-    return changes.wait_until([&](const auto& all) {
-      return std::ranges::count(all, state, &LinkChange::state) >= static_cast<long>(times);
-    });
-  }
-  std::vector<LinkState> states() {
-    std::vector<LinkState> result;
-    for (const LinkChange& one : changes.wait_for(0)) result.push_back(one.state);
-    return result;
-  }
   /// Waits until the board has received `count` requests for a stream.
   void wait_for_stream_requests(std::size_t count) {
-    while (board.count<msg::DataStreamInterval>() < count) std::this_thread::sleep_for(Ms(1));
+    wait_for_requests<msg::DataStreamInterval>(count);
   }
 
-  EmulatedBoard board;
-  std::atomic<bool> is_plugged = true;
-  std::atomic<int> attempts = 0;
-  Collector<LinkChange> changes;
+  ReconnectOptions on_clock() {
+    ReconnectOptions options = quick_again();
+    options.clock = &clock;
+    return options;
+  }
+
+  ManualClock clock;
   Subscription watching;
 
  private:
   Client watched(Result<Client> client) {
-    if (!client) throw std::runtime_error(client.error().message);
-    watching = client->on_change([this](const LinkChange& change) { changes.add(change); });
+    client = checked(std::move(client));
+    watching = client->on_change([this](const LinkChange& change) { watch(change); });
     return *std::move(client);
   }
 };
 
 TEST_F(Reconnecting, TheFirstConnectionMustSucceed) {
   is_plugged = false;
-  const auto client = connect_over(cable(), quick_reconnect());
-  ASSERT_FALSE(client);
-  EXPECT_EQ(client.error().code, ErrorCode::not_found);
+  EXPECT_THAT(connect_over(cable(), quick_again()), fails(ErrorCode::not_found));
   EXPECT_EQ(attempts, 1);
 }
 
@@ -125,13 +71,10 @@ TEST_F(Reconnecting, ALineThatIsLostComesBack) {
   Client client = connect();
   EXPECT_TRUE(client.get_angles());
   pull();
-  ASSERT_TRUE(wait_for(LinkState::searching));
-  const auto during = client.get_angles();
-  ASSERT_FALSE(during);
-  EXPECT_EQ(during.error().code, ErrorCode::not_connected);
+  EXPECT_THAT(client.get_angles({}, {.timeout = std::chrono::hours(1)}),
+              fails(ErrorCode::not_connected));
   EXPECT_FALSE(client.is_connected());
-  is_plugged = true;
-  ASSERT_TRUE(wait_for(LinkState::connected));
+  plug();
   EXPECT_TRUE(client.get_angles());
   EXPECT_TRUE(client.is_connected());
   EXPECT_EQ(client.connections(), 2U);
@@ -139,26 +82,20 @@ TEST_F(Reconnecting, ALineThatIsLostComesBack) {
 }
 
 TEST_F(Reconnecting, TheFormerNameDoesIt) {
-  ReconnectingClient client = *reconnecting_over(cable(), quick_reconnect());
-  pull();
-  while (client.is_connected()) std::this_thread::sleep_for(Ms(1));
-  is_plugged = true;
-  while (client.connections() < 2) std::this_thread::sleep_for(Ms(1));
+  ReconnectingClient client = *reconnecting_over(cable(), quick_again());
+  board.unplug();
+  wait_until([&] { return client.connections() >= 2; });
 }
 
 TEST_F(Reconnecting, CallsCanWaitForTheConnection) {
-  ReconnectOptions options = quick_reconnect();
-  options.calls = OutagePolicy::wait;
-  Client client = connect(options);
+  Client client = connect(quick_again(OutagePolicy::wait));
   pull();
-  ASSERT_TRUE(wait_for(LinkState::searching));
-  const auto begin = steady_clock::now();
-  const auto overdue = client.call(msg::GetAnglesRequest{}, {.timeout = Ms(30)});
-  ASSERT_FALSE(overdue);
-  EXPECT_EQ(overdue.error().code, ErrorCode::not_connected);
-  EXPECT_GE(steady_clock::now() - begin, Ms(30));
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_THAT(client.call(msg::GetAnglesRequest{}, {.timeout = Ms(30)}),
+              fails(ErrorCode::not_connected));
+  EXPECT_GE(std::chrono::steady_clock::now() - begin, Ms(30));
   std::thread plugging([this] {
-    while (attempts < 10) std::this_thread::sleep_for(Ms(1));
+    wait_until([&] { return attempts >= 10; });
     is_plugged = true;
   });
   EXPECT_TRUE(client.call(msg::GetAnglesRequest{}, {.timeout = std::chrono::seconds(60)}));
@@ -167,16 +104,13 @@ TEST_F(Reconnecting, CallsCanWaitForTheConnection) {
 
 TEST_F(Reconnecting, AStreamThatWaitsForTheConnectionHasOneDeadline) {
   board.on_lost([](const Packet& request) { return is<msg::DataStreamInterval>(request); });
-  ReconnectOptions options = quick_reconnect();
-  options.calls = OutagePolicy::wait;
-  Client client = connect(options);
+  Client client = connect(quick_again(OutagePolicy::wait));
   pull();
-  ASSERT_TRUE(wait_for(LinkState::searching));
   std::thread plugging([this] {
-    while (attempts < 10) std::this_thread::sleep_for(Ms(1));
+    wait_until([&] { return attempts >= 10; });
     is_plugged = true;
   });
-  const auto stream = client.stream<msg::RealtimeData4>(Ms(100), [](const msg::RealtimeData4&) {},
+  const auto stream = client.stream<msg::RealtimeData4>(Ms(100), [](const auto&) {},
                                                         {.timeout = Ms(3000), .retries = 0});
   plugging.join();
   ASSERT_FALSE(stream);
@@ -188,25 +122,16 @@ TEST_F(Reconnecting, StreamsAndSubscriptionsGoOn) {
   Collector<msg::RealtimeData4> fast;
   Collector<msg::RealtimeData3> slow;
   Collector<msg::GetAngles> angles;
-  auto first = client.stream<msg::RealtimeData4>(
-      Ms(20), [&](const msg::RealtimeData4& sample) { fast.add(sample); });
-  auto second = client.stream<msg::RealtimeData3>(
-      Ms(100), [&](const msg::RealtimeData3& sample) { slow.add(sample); });
-  ASSERT_TRUE(first && second);
-  const auto third =
-      client.subscribe<msg::GetAngles>([&](const msg::GetAngles& one) { angles.add(one); });
+  auto first = stream_into(fast, client, Ms(20));
+  auto second = stream_into(slow, client, Ms(100));
+  const auto third = subscribe_into(angles, client);
   pull();
-  ASSERT_TRUE(wait_for(LinkState::searching));
   board.clear_log();
-  is_plugged = true;
-  ASSERT_TRUE(wait_for(LinkState::connected));
+  plug();
   wait_for_stream_requests(2);
   std::vector<std::pair<msg::CommandFromBoard, int>> wanted;
-  for (const Packet& one : board.log()) {
-    if (!is<msg::DataStreamInterval>(one)) continue;
-    const auto request = message<msg::DataStreamInterval>(one);
-    wanted.emplace_back(static_cast<msg::CommandFromBoard>(request.cmd_id),
-                        request.interval_ms.raw());
+  for (const auto& one : board.requests<msg::DataStreamInterval>()) {
+    wanted.emplace_back(static_cast<msg::CommandFromBoard>(one.cmd_id), one.interval_ms.raw());
   }
   EXPECT_THAT(wanted, ElementsAre(std::pair(msg::RealtimeData4::command, 20),
                                   std::pair(msg::RealtimeData3::command, 100)));
@@ -224,16 +149,12 @@ TEST_F(Reconnecting, PollsOfOldFirmwareGoOn) {
   old.firmware = msg::FirmwareVersion(2439);
   board.become(old);
   Client client = connect();
-  std::atomic<int> samples = 0;
-  const auto stream =
-      client.stream<msg::RealtimeData4>(Ms(5), [&](const msg::RealtimeData4&) { ++samples; });
-  ASSERT_TRUE(stream) << stream.error().message;
+  Collector<msg::RealtimeData4> samples;
+  auto stream = stream_into(samples, client, Ms(5));
   pull();
-  ASSERT_TRUE(wait_for(LinkState::searching));
-  const int before = samples;
-  is_plugged = true;
-  ASSERT_TRUE(wait_for(LinkState::connected));
-  while (samples < before + 5) std::this_thread::sleep_for(Ms(1));
+  const std::size_t before = samples.wait_for(0).size();
+  plug();
+  samples.wait_for(before + 5);
 }
 
 TEST_F(Reconnecting, ASpeedEndsWithItsLineAndCanBeSetAgain) {
@@ -245,20 +166,16 @@ TEST_F(Reconnecting, ASpeedEndsWithItsLineAndCanBeSetAgain) {
   EXPECT_TRUE(control.stop());
   const Axes<msg::ControlSpeed> speed{.yaw = msg::ControlSpeed(50)};
   ASSERT_TRUE(control.set(speed));
-  while (commands() < 2) std::this_thread::sleep_for(Ms(1));
+  wait_until([&] { return commands() >= 2; });
   pull();
-  ASSERT_TRUE(wait_for(LinkState::searching));
-  const auto during = control.set(speed);
-  ASSERT_FALSE(during);
-  EXPECT_EQ(during.error().code, ErrorCode::not_connected);
-  is_plugged = true;
-  ASSERT_TRUE(wait_for(LinkState::connected));
+  EXPECT_THAT(control.set(speed), fails(ErrorCode::not_connected));
+  plug();
   const std::size_t before = commands();
   std::this_thread::sleep_for(Ms(100));
   EXPECT_EQ(commands(), before) << "nothing turns unasked";
   EXPECT_FALSE(control.refresh()) << "also not by keeping what has ended";
   ASSERT_TRUE(control.set(speed));
-  while (commands() < before + 2) std::this_thread::sleep_for(Ms(1));
+  wait_until([&] { return commands() >= before + 2; });
   EXPECT_EQ(control.state(), SpeedControl::State::turning);
   EXPECT_TRUE(control.stop());
   EXPECT_TRUE(control.wait());
@@ -267,16 +184,13 @@ TEST_F(Reconnecting, ASpeedEndsWithItsLineAndCanBeSetAgain) {
 
 TEST_F(Reconnecting, SubscriptionsDoNotWaitForStreams) {
   Client client = connect();
-  auto stream = client.stream<msg::RealtimeData4>(Ms(20), [](const msg::RealtimeData4&) {});
-  ASSERT_TRUE(stream);
+  Collector<msg::RealtimeData4> samples;
+  const auto stream = stream_into(samples, client, Ms(20));
   Collector<msg::GetAngles> angles;
-  const auto subscription =
-      client.subscribe<msg::GetAngles>([&](const msg::GetAngles& one) { angles.add(one); });
+  const auto subscription = subscribe_into(angles, client);
   board.on_answer_lost(is<msg::DataStreamInterval>);  // starting the stream does not succeed
   pull();
-  ASSERT_TRUE(wait_for(LinkState::searching));
-  is_plugged = true;
-  ASSERT_TRUE(wait_for(LinkState::connected));
+  plug();
   EXPECT_TRUE(client.get_angles());
   angles.wait_for(1);
 }
@@ -287,16 +201,13 @@ TEST_F(Reconnecting, ACancelledStreamStaysSo) {
   Collector<msg::RealtimeData3> kept;
   auto cancelled = client.stream<msg::RealtimeData4>(
       Ms(20), [&](const msg::RealtimeData4&) { ++cancelled_samples; });
-  auto other = client.stream<msg::RealtimeData3>(
-      Ms(20), [&](const msg::RealtimeData3& sample) { kept.add(sample); });
-  ASSERT_TRUE(cancelled && other);
+  auto other = stream_into(kept, client, Ms(20));
+  ASSERT_TRUE(cancelled);
   pull();
-  ASSERT_TRUE(wait_for(LinkState::searching));
   cancelled->cancel();
   const int before = cancelled_samples;
   board.clear_log();
-  is_plugged = true;
-  ASSERT_TRUE(wait_for(LinkState::connected));
+  plug();
   wait_for_stream_requests(1);
   board.skip(Ms(200));
   kept.wait_for(5);
@@ -304,76 +215,44 @@ TEST_F(Reconnecting, ACancelledStreamStaysSo) {
   EXPECT_EQ(board.count<msg::DataStreamInterval>(), 1U);
 }
 
-TEST_F(Reconnecting, ACancelledStreamEndsOnTheBoard) {
-  Client client = connect();
-  auto stream = client.stream<msg::RealtimeData4>(Ms(20), [](const msg::RealtimeData4&) {});
-  ASSERT_TRUE(stream);
-  stream->cancel();
-  wait_for_stream_requests(2);
-  EXPECT_EQ(message<msg::DataStreamInterval>(board.log().back()).interval_ms.raw(), 0);
-}
-
-TEST_F(Reconnecting, AStreamDuringAnOutageIsRefused) {
-  Client client = connect();
-  pull();
-  ASSERT_TRUE(wait_for(LinkState::searching));
-  const auto stream = client.stream<msg::RealtimeData4>(Ms(20), [](const msg::RealtimeData4&) {});
-  ASSERT_FALSE(stream);
-  EXPECT_EQ(stream.error().code, ErrorCode::not_connected);
-}
-
-TEST_F(Reconnecting, AnotherBoardIsRefused) {
-  Client client = connect();
-  const std::string number = client.identity().serial_number();
-  emulator::BoardOptions other = board.options();
-  pull();
-  ASSERT_TRUE(wait_for(LinkState::searching));
-  const emulator::BoardOptions own = other;
-  other.device_id[0] ^= 0xFF;
-  board.become(other);
-  is_plugged = true;
-  ASSERT_TRUE(wait_for(LinkState::other_board));
-  const auto during = client.get_angles();
-  ASSERT_FALSE(during);
-  EXPECT_EQ(during.error().code, ErrorCode::not_connected);
-  is_plugged = false;
-  board.become(own);
-  is_plugged = true;
-  ASSERT_TRUE(wait_for(LinkState::connected));
-  EXPECT_EQ(client.identity().serial_number(), number);
-  EXPECT_TRUE(client.get_angles());
-  EXPECT_THAT(states(), ElementsAre(LinkState::lost, LinkState::searching, LinkState::other_board,
-                                    LinkState::connected));
-  EXPECT_THAT(changes.wait_for(3)[2].message, HasSubstr(number));
-}
-
-TEST_F(Reconnecting, AnotherBoardCanBeAccepted) {
-  ReconnectOptions options = quick_reconnect();
-  options.other_board = OtherBoard::accept;
-  Client client = connect(options);
-  const std::string number = client.identity().serial_number();
-  emulator::BoardOptions other = board.options();
-  other.device_id[0] ^= 0xFF;
-  pull();
-  ASSERT_TRUE(wait_for(LinkState::searching));
-  board.become(other);
-  is_plugged = true;
-  ASSERT_TRUE(wait_for(LinkState::connected));
-  EXPECT_NE(client.identity().serial_number(), number);
-  EXPECT_TRUE(wait_for(LinkState::other_board));
+TEST_F(Reconnecting, AnotherBoardIsRefusedOrAccepted) {
+  for (const bool is_accepted : {false, true}) {
+    changes.clear();
+    ReconnectOptions options = quick_again();
+    if (is_accepted) options.other_board = OtherBoard::accept;
+    Client client = connect(options);
+    const std::string number = client.identity().serial_number();
+    const emulator::BoardOptions own = board.options();
+    emulator::BoardOptions other = own;
+    other.device_id[0] ^= 0xFF;
+    pull();
+    board.become(other);
+    is_plugged = true;
+    ASSERT_TRUE(wait_for(LinkState::other_board));
+    if (is_accepted) {
+      ASSERT_TRUE(wait_for(LinkState::connected));
+      EXPECT_NE(client.identity().serial_number(), number);
+      continue;
+    }
+    EXPECT_THAT(client.get_angles(), fails(ErrorCode::not_connected));
+    is_plugged = false;
+    board.become(own);
+    plug();
+    EXPECT_EQ(client.identity().serial_number(), number);
+    EXPECT_TRUE(client.get_angles());
+    EXPECT_THAT(states(), ElementsAre(LinkState::lost, LinkState::searching, LinkState::other_board,
+                                      LinkState::connected));
+    EXPECT_THAT(changes.wait_for(3)[2].message, HasSubstr(number));
+  }
 }
 
 TEST_F(Reconnecting, ARestartEndsTheConnectionAndStreamsGoOn) {
-  ManualClock clock;
-  ReconnectOptions options = quick_reconnect();
-  options.clock = &clock;
+  ReconnectOptions options = on_clock();
   Client client = connect(options);
   Collector<msg::RealtimeData4> samples;
   Collector<NoticeKind> notices;
   const auto noticing = client.on_notice([&](const Notice& notice) { notices.add(notice.kind); });
-  auto stream = client.stream<msg::RealtimeData4>(
-      Ms(20), [&](const msg::RealtimeData4& sample) { samples.add(sample); });
-  ASSERT_TRUE(stream);
+  auto stream = stream_into(samples, client, Ms(20));
   EXPECT_TRUE(client.reset_ext({.confirm = msg::ResetOption::notify}));
   ASSERT_TRUE(wait_for(LinkState::lost));
   EXPECT_EQ(client.connections(), 1U) << "the board has not restarted yet";
@@ -384,22 +263,16 @@ TEST_F(Reconnecting, ARestartEndsTheConnectionAndStreamsGoOn) {
     std::this_thread::sleep_for(Ms(1));
   }
   wait_for_stream_requests(1);
-  const std::size_t before = samples.wait_for(0).size();
-  board.skip(Ms(200));
-  samples.wait_for(before + 5);
+  expect_samples(samples);
   EXPECT_THAT(notices.wait_for(1), Contains(NoticeKind::board_reset));
 }
 
 TEST_F(Reconnecting, AStreamThatFellSilentIsStartedAgain) {
-  ManualClock clock;
-  ReconnectOptions options = quick_reconnect();
-  options.clock = &clock;
+  ReconnectOptions options = on_clock();
   options.longest_silence = std::chrono::seconds(3);
   Client client = connect(options);
   Collector<msg::RealtimeData4> samples;
-  auto stream = client.stream<msg::RealtimeData4>(
-      Ms(20), [&](const msg::RealtimeData4& sample) { samples.add(sample); });
-  ASSERT_TRUE(stream);
+  auto stream = stream_into(samples, client, Ms(20));
   board.restart();  // without a word, as when the power fails; the line stays
   board.skip(std::chrono::seconds(5));
   board.clear_log();
@@ -407,20 +280,16 @@ TEST_F(Reconnecting, AStreamThatFellSilentIsStartedAgain) {
     clock.advance(Ms(200));
     std::this_thread::sleep_for(Ms(2));
   }
-  const std::size_t before = samples.wait_for(0).size();
-  board.skip(Ms(200));
-  samples.wait_for(before + 5);
+  expect_samples(samples);
   EXPECT_EQ(client.connections(), 1U);
 }
 
 TEST_F(Reconnecting, ASilentBoardIsLost) {
-  ManualClock clock;
-  ReconnectOptions options = quick_reconnect();
-  options.clock = &clock;
+  ReconnectOptions options = on_clock();
   options.longest_silence = std::chrono::seconds(3);
   Client client = connect(options);
-  auto stream = client.stream<msg::RealtimeData4>(Ms(20), [](const msg::RealtimeData4&) {});
-  ASSERT_TRUE(stream);
+  Collector<msg::RealtimeData4> samples;
+  const auto stream = stream_into(samples, client, Ms(20));
   board.restart();
   board.on_lost([](const Packet&) { return true; });
   std::thread time([&] {
@@ -437,7 +306,7 @@ TEST_F(Reconnecting, ASilentBoardIsLost) {
 TEST_F(Reconnecting, ACheckFindsASilentBoard) {
   Client client = connect();
   client.check();
-  while (board.count<msg::BoardInfoRequest>() < 2) std::this_thread::sleep_for(Ms(1));
+  wait_until([&] { return board.count<msg::BoardInfoRequest>() >= 2; });
   EXPECT_TRUE(client.get_angles());
   EXPECT_EQ(client.connections(), 1U);
   board.on_lost([](const Packet&) { return true; });
@@ -449,18 +318,13 @@ TEST_F(Reconnecting, ACheckFindsASilentBoard) {
 }
 
 TEST_F(Reconnecting, ThePausesDoubleAndTheAttemptsEnd) {
-  ManualClock clock;
-  ReconnectOptions options = quick_reconnect();
-  options.clock = &clock;
+  ReconnectOptions options = on_clock();
   options.first_pause = Ms(100);
   options.longest_pause = Ms(300);
   options.attempts = 4;
   Client client = connect(options);
   pull();
-  ASSERT_TRUE(wait_for(LinkState::searching));
-  const auto wait_for_attempts = [&](int count) {
-    while (attempts < count) std::this_thread::sleep_for(Ms(1));
-  };
+  const auto wait_for_attempts = [&](int count) { wait_until([&] { return attempts >= count; }); };
   wait_for_attempts(2);
   std::this_thread::sleep_for(Ms(20));  // let a wrong early attempt happen
   EXPECT_EQ(attempts, 2);
@@ -480,43 +344,34 @@ TEST_F(Reconnecting, ThePausesDoubleAndTheAttemptsEnd) {
   EXPECT_GE(pauses[1], Ms(190));
   EXPECT_GE(pauses[2], Ms(290));
   EXPECT_EQ(client.state(), LinkState::given_up);
-  const auto later = client.get_angles();
-  ASSERT_FALSE(later);
-  EXPECT_EQ(later.error().code, ErrorCode::not_connected);
+  EXPECT_THAT(client.get_angles(), fails(ErrorCode::not_connected));
 }
 
-TEST_F(Reconnecting, DestructionEndsTheSearch) {
-  ReconnectOptions options = quick_reconnect();
-  options.first_pause = options.longest_pause = std::chrono::hours(1);
-  std::optional<Client> client(connect(options));
-  pull();
-  ASSERT_TRUE(wait_for(LinkState::searching));
-  while (attempts < 2) std::this_thread::sleep_for(Ms(1));
-  const auto begin = steady_clock::now();
-  client.reset();
-  EXPECT_LT(steady_clock::now() - begin, std::chrono::seconds(10));
-}
-
-TEST_F(Reconnecting, DestructionEndsAnAttempt) {
-  ReconnectOptions options = quick_reconnect();
-  options.connection.timeout = std::chrono::hours(1);
-  options.connection.retries = 90;
-  std::optional<Client> client(connect(options));
-  board.on_lost([](const Packet&) { return true; });
-  board.unplug();
-  ASSERT_TRUE(wait_for(LinkState::searching));
-  while (attempts < 2) std::this_thread::sleep_for(Ms(1));
-  const auto begin = steady_clock::now();
-  client.reset();
-  EXPECT_LT(steady_clock::now() - begin, std::chrono::seconds(10));
+TEST_F(Reconnecting, DestructionEndsTheSearchAndAnAttempt) {
+  for (const bool in_attempt : {false, true}) {
+    ReconnectOptions options = quick_again();
+    if (in_attempt) {
+      options.connection.timeout = std::chrono::hours(1);
+      options.connection.retries = 90;
+    } else {
+      options.first_pause = options.longest_pause = std::chrono::hours(1);
+    }
+    std::optional<Client> client(connect(options));
+    if (in_attempt) board.on_lost([](const Packet&) { return true; });
+    attempts = 1;
+    is_plugged = in_attempt;
+    board.unplug();
+    wait_until([&] { return attempts >= 2; });
+    const auto begin = std::chrono::steady_clock::now();
+    client.reset();
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10));
+    is_plugged = true;
+  }
 }
 
 TEST_F(Reconnecting, ClosingEndsCallsThatWait) {
-  ReconnectOptions options = quick_reconnect();
-  options.calls = OutagePolicy::wait;
-  Client client = connect(options);
+  Client client = connect(quick_again(OutagePolicy::wait));
   pull();
-  ASSERT_TRUE(wait_for(LinkState::searching));
   std::thread closing([&] {
     std::this_thread::sleep_for(Ms(10));
     client.close();
@@ -576,7 +431,7 @@ class Replugged : public Reconnecting {
  protected:
   void SetUp() override {
     path = board.serve_terminal();
-    options = quick_reconnect();
+    options = quick_again();
     options.list_ports = ports.lister();
   }
   /// Plugs the adapter in as another port.
@@ -610,7 +465,6 @@ TEST_F(Replugged, AnAdapterWithoutSerialNumberMustBeTheOnlyOne) {
   replug();
   ASSERT_TRUE(wait_for(LinkState::searching));
   ports.set({usb_port("/dev/nothing", ""), usb_port(path, "")});
-  Collector<std::string> reasons;
   while (client.get_angles().error().message.find("2 adapters look like") == std::string::npos) {
     std::this_thread::sleep_for(Ms(1));
   }

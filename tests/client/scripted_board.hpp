@@ -33,6 +33,7 @@
 #include <sbgc/visit.hpp>
 
 #include "line_kind.hpp"
+#include "packet.hpp"
 
 namespace sbgc::test {
 

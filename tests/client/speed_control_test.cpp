@@ -1,9 +1,3 @@
-#include <condition_variable>
-#include <future>
-#include <mutex>
-#include <thread>
-#include <utility>
-#include <vector>
 
 #include <sbgc/client/speed_control.hpp>
 
@@ -15,7 +9,6 @@ namespace sbgc::test {
 namespace {
 
 using detail::DeadMansSwitch;
-using std::chrono::milliseconds;
 using Action = DeadMansSwitch::Action;
 using State = SpeedControl::State;
 
@@ -153,28 +146,20 @@ class SpeedControlTest : public TaskTest {
   SpeedControlTest() {
     board.after([this](const Packet& request) {
       if (!is<msg::Control>(request)) return;
-      const std::scoped_lock lock(mutex_);
-      sent_.push_back(message<msg::Control>(request).axes.yaw.speed.raw());
-      came_.notify_all();
+      sent_.add(message<msg::Control>(request).axes.yaw.speed.raw());
     });
   }
   /// Without a bound, the commands are the speeds of the owner.
-  SpeedControlOptions options() {
-    return {milliseconds(500), milliseconds(100), clock, MotionBound::none};
-  }
+  SpeedControlOptions options() { return {Ms(500), Ms(100), clock, MotionBound::none}; }
 
+  /// Begins to turn, and waits until the board has received it.
+  void turn(SpeedControl& control) {
+    ASSERT_TRUE(control.set({.yaw = msg::ControlSpeed(100)}));
+    ASSERT_TRUE(control.wait());
+    EXPECT_THAT(commands(1), ElementsAre(100));
+  }
   /// Waits until `n` commands have arrived; returns the yaw speeds of all commands.
-  std::vector<int> commands(std::size_t n) {
-    std::unique_lock lock(mutex_);
-    came_.wait_for(lock, std::chrono::seconds(60), [&] { return sent_.size() >= n; });
-    return sent_;
-  }
-  /// Waits until the last command has this speed.
-  bool turns_with(int speed) {
-    std::unique_lock lock(mutex_);
-    return came_.wait_for(lock, std::chrono::seconds(60),
-                          [&] { return !sent_.empty() && sent_.back() == speed; });
-  }
+  std::vector<int> commands(std::size_t n) { return sent_.wait_for(n); }
   /// Removes repeated stop commands: stopping takes time, and the command is repeated until then.
   static std::vector<int> without_repeated_stops(std::vector<int> speeds) {
     while (speeds.size() > 1 && speeds.back() == 0 && speeds[speeds.size() - 2] == 0) {
@@ -184,38 +169,33 @@ class SpeedControlTest : public TaskTest {
   }
 
  private:
-  std::mutex mutex_;
-  std::vector<int> sent_;
-  std::condition_variable came_;
+  Collector<int> sent_;
 };
 
 TEST_F(SpeedControlTest, TurnsStopsWhenSilentAndTurnsAgain) {
   SpeedControl control(client(), options());
-  ASSERT_TRUE(control.set({.yaw = msg::ControlSpeed(100)}));
-  ASSERT_TRUE(control.wait());
-  EXPECT_EQ(commands(1), std::vector<int>({100}));
+  turn(control);
   EXPECT_EQ(control.state(), State::turning);
 
-  clock.advance(milliseconds(100));
+  clock.advance(Ms(100));
   EXPECT_EQ(commands(2), std::vector<int>({100, 100}));
-  clock.advance(milliseconds(399));
+  clock.advance(Ms(399));
   ASSERT_TRUE(control.wait());
   EXPECT_EQ(control.state(), State::turning);
-  clock.advance(milliseconds(1));
+  clock.advance(Ms(1));
   ASSERT_TRUE(control.wait());
   EXPECT_EQ(control.state(), State::silenced);
   EXPECT_EQ(without_repeated_stops(commands(4)), std::vector<int>({100, 100, 100, 0}));
   EXPECT_EQ(control.refresh().error().code, ErrorCode::cancelled);
 
   ASSERT_TRUE(control.set({.yaw = msg::ControlSpeed(-50)}));
-  clock.advance(milliseconds(20));  // the minimum interval of commands
-  EXPECT_TRUE(turns_with(-50));
+  clock.advance(Ms(20));  // the minimum interval of commands
+  wait_until([&] { return commands(0).back() == -50; });
 }
 
 TEST_F(SpeedControlTest, StopsWhenAsked) {
   SpeedControl control(client(), options());
-  ASSERT_TRUE(control.set({.yaw = msg::ControlSpeed(100)}));
-  ASSERT_TRUE(control.wait());
+  turn(control);
   EXPECT_TRUE(control.has_settled());
   EXPECT_EQ(commands(1), std::vector<int>({100}));
   board.on_lost([](const Packet& request) { return is<msg::Control>(request); });
@@ -223,29 +203,27 @@ TEST_F(SpeedControlTest, StopsWhenAsked) {
   EXPECT_EQ(control.state(), State::idle);
   EXPECT_FALSE(control.has_settled()) << "the camera turns";
   board.on_lost({});
-  clock.advance(milliseconds(100));
+  clock.advance(Ms(100));
   ASSERT_TRUE(control.wait());
   EXPECT_TRUE(control.has_settled());
-  EXPECT_EQ(without_repeated_stops(commands(2)), std::vector<int>({100, 0}));
+  EXPECT_THAT(without_repeated_stops(commands(2)), ElementsAre(100, 0));
 }
 
 TEST_F(SpeedControlTest, StopsWhenItIsDestroyed) {
   {
     SpeedControl control(client(), options());
-    ASSERT_TRUE(control.set({.yaw = msg::ControlSpeed(100)}));
-    ASSERT_TRUE(control.wait());
+    turn(control);
   }
-  EXPECT_EQ(without_repeated_stops(commands(2)), std::vector<int>({100, 0}));
+  EXPECT_THAT(without_repeated_stops(commands(2)), ElementsAre(100, 0));
 }
 
 TEST_F(SpeedControlTest, ClosingItTellsWhenTheCameraHasStopped) {
   SpeedControl control(client(), options());
-  ASSERT_TRUE(control.set({.yaw = msg::ControlSpeed(100)}));
-  EXPECT_EQ(commands(1), std::vector<int>({100}));
+  turn(control);
   std::promise<Result<void>> stopped;
   control.close([&](const Result<void>& result) { stopped.set_value(result); });
   EXPECT_TRUE(stopped.get_future().get());
-  EXPECT_EQ(without_repeated_stops(commands(2)), std::vector<int>({100, 0}));
+  EXPECT_THAT(without_repeated_stops(commands(2)), ElementsAre(100, 0));
   EXPECT_EQ(control.set({.yaw = msg::ControlSpeed(100)}).error().code, ErrorCode::cancelled);
   bool is_told = false;
   control.close([&](const Result<void>& result) { is_told = bool(result); });
@@ -286,11 +264,10 @@ TEST_F(SpeedControlTest, ByDefaultTheMotionIsBounded) {
 
 TEST_F(SpeedControlTest, ALostLineIsAnErrorOfTheNextCall) {
   SpeedControl control(client(), options());
-  ASSERT_TRUE(control.set({.yaw = msg::ControlSpeed(100)}));
-  ASSERT_TRUE(control.wait());
+  turn(control);
   client().close();
   static_cast<void>(control.set({.yaw = msg::ControlSpeed(50)}));
-  clock.advance(milliseconds(100));
+  clock.advance(Ms(100));
   EXPECT_EQ(control.wait().error().code, ErrorCode::not_connected);
   EXPECT_EQ(control.set({.yaw = msg::ControlSpeed(50)}).error().code, ErrorCode::not_connected);
   EXPECT_EQ(control.state(), State::failed);
@@ -301,49 +278,42 @@ TEST_F(SpeedControlTest, ARefusalIsAnErrorOfTheNextCall) {
   board.tamper([](Packets& answers) {
     for (Packet& one : answers) {
       if (!is<msg::Confirm>(one)) continue;
-      msg::ErrorExt error;
-      error.cmd_id = msg::CommandToBoard::control;
-      error.error_code = msg::BoardErrorCode::not_supported;
+      msg::ErrorExt error{.cmd_id = msg::CommandToBoard::control,
+                          .error_code = msg::BoardErrorCode::not_supported};
       one = packet(error);
     }
   });
-  ASSERT_TRUE(control.set({.yaw = msg::ControlSpeed(100)}));
-  ASSERT_TRUE(control.wait());
-  EXPECT_EQ(commands(1), std::vector<int>({100}));
+  turn(control);
   ASSERT_TRUE(client().call(msg::GetAnglesRequest{}));  // all earlier frames are handled now
-  clock.advance(milliseconds(100));
+  clock.advance(Ms(100));
   EXPECT_EQ(control.wait().error().message, "CMD_CONTROL: the board refused: NOT_SUPPORTED");
   EXPECT_EQ(control.state(), State::failed);
 }
 
 TEST_F(SpeedControlTest, ARestartEndsTheMotion) {
   SpeedControl control(client(), options());
-  ASSERT_TRUE(control.set({.yaw = msg::ControlSpeed(100)}));
-  ASSERT_TRUE(control.wait());
-  EXPECT_EQ(commands(1), std::vector<int>({100}));
+  turn(control);
   bool is_first = true;
   board.tamper([&](Packets& answers) {
     if (std::exchange(is_first, false)) answers.push_back(packet(msg::Reset{}));
   });
   static_cast<void>(client().call(msg::GetAnglesRequest{}));
   ASSERT_TRUE(client().call(msg::GetAnglesRequest{}));  // all earlier frames are handled now
-  clock.advance(milliseconds(100));
+  clock.advance(Ms(100));
   EXPECT_EQ(control.wait().error().code, ErrorCode::board_reset);
   EXPECT_EQ(control.state(), State::failed);
-  EXPECT_EQ(without_repeated_stops(commands(2)), std::vector<int>({100, 0}));
+  EXPECT_THAT(without_repeated_stops(commands(2)), ElementsAre(100, 0));
 }
 
 TEST_F(SpeedControlTest, StopsAsSoonAsTheLineCarriesItAgain) {
   SpeedControl control(client(), options());
-  ASSERT_TRUE(control.set({.yaw = msg::ControlSpeed(100)}));
-  ASSERT_TRUE(control.wait());
-  EXPECT_EQ(commands(1), std::vector<int>({100}));
+  turn(control);
   board.on_lost([](const Packet& request) { return is<msg::Control>(request); });
-  clock.advance(milliseconds(500));  // no command from the owner
+  clock.advance(Ms(500));  // no command from the owner
   EXPECT_EQ(control.wait().error().code, ErrorCode::timeout);
   board.on_lost({});
-  clock.advance(milliseconds(100));
-  EXPECT_EQ(without_repeated_stops(commands(2)), std::vector<int>({100, 0}));
+  clock.advance(Ms(100));
+  EXPECT_THAT(without_repeated_stops(commands(2)), ElementsAre(100, 0));
   EXPECT_EQ(control.state(), State::failed);
 }
 

@@ -1,30 +1,14 @@
 // Stops against everything that moves: threads of one client, other programs, losses. In virtual
 // time.
 
-#include <cstddef>
-#include <cstdint>
-#include <functional>
-#include <memory>
-#include <optional>
-#include <random>
-#include <string>
-#include <utility>
-#include <vector>
-
-#include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <sbgc/client/motion.hpp>
 #include <sbgc/messages/control.hpp>
 
+#include "testing.hpp"
 #include "virtual_client.hpp"
 
 namespace sbgc::test {
 namespace {
-
-using std::chrono::milliseconds;
-using ::testing::HasSubstr;
 
 /// A line that loses whole writes.
 class LossyLine : public VirtualLine {
@@ -49,10 +33,7 @@ class LossyLine : public VirtualLine {
 class Programs {
  public:
   explicit Programs(int firmware = 2745, double losses = 0, std::uint32_t seed = 1) {
-    emulator::EmulatorOptions options;
-    options.board.gimbal.noise = 0;
-    options.board.firmware = msg::FirmwareVersion(static_cast<std::uint16_t>(firmware));
-    board = std::make_shared<VirtualBoard>(options);
+    board = std::make_shared<VirtualBoard>(calm_board(firmware));
     for (std::uint32_t i = 0; i < 3; ++i) {
       lines.push_back(std::make_unique<LossyLine>(3 * seed + i, losses));
       clients.push_back(std::make_unique<VirtualClient>(board, lines.back().get()));
@@ -144,10 +125,8 @@ TEST_P(StopTest, OfAnotherProgramEndsAMove) {
   programs.run_for(sbgc::milliseconds(1000));
   ASSERT_TRUE(programs.await(programs.start(1, tasks::stop())));
   const double stopped_at = programs.sample().angles.pitch;
-  const auto moved = programs.await(move);
-  ASSERT_FALSE(moved);
-  EXPECT_EQ(moved.error().code, ErrorCode::interrupted);
-  EXPECT_THAT(moved.error().message, HasSubstr("its target is no longer 80.00: another program"));
+  EXPECT_THAT(programs.await(move),
+              fails(ErrorCode::interrupted, "its target is no longer 80.00: another program"));
   programs.run_for(seconds(3));
   EXPECT_NEAR(programs.sample().angles.pitch, stopped_at, 0.3);
 }
@@ -174,11 +153,8 @@ TEST_P(StopTest, RightAfterTheStartOfAMove) {
 }
 
 TEST_P(StopTest, WithoutRestItFailsAndSaysSo) {
-  const auto stopped = programs.await(
-      programs.start(0, tasks::stop({.timeout = milliseconds(300), .rest = milliseconds(500)})));
-  ASSERT_FALSE(stopped);
-  EXPECT_EQ(stopped.error().code, ErrorCode::interrupted);
-  EXPECT_EQ(stopped.error().message, "the camera has not come to rest");
+  EXPECT_THAT(programs.await(programs.start(0, tasks::stop({.timeout = Ms(300), .rest = Ms(500)}))),
+              fails(ErrorCode::interrupted, Eq("the camera has not come to rest")));
 }
 
 TEST_P(StopTest, ALaterMotionOfTheSameClientEndsItsWatch) {
@@ -197,11 +173,10 @@ TEST_P(StopTest, AStalledAxisHasItsTargetSentOnce) {
   };
   programs[0].gimbal().jam(1, true, programs.board->now);
   MoveOptions options = slowly(40_deg_per_s);
-  options.timeout = milliseconds(5000);
+  options.timeout = Ms(5000);
   options.stop_on_failure = false;
-  const auto moved = programs.await(programs.start(0, tasks::move_to({.pitch = 20_deg}, options)));
-  ASSERT_FALSE(moved);
-  EXPECT_EQ(moved.error().code, ErrorCode::timeout);
+  EXPECT_THAT(programs.await(programs.start(0, tasks::move_to({.pitch = 20_deg}, options))),
+              fails(ErrorCode::timeout));
   EXPECT_EQ(targets, 1);
 }
 
@@ -222,9 +197,8 @@ TEST_P(StopTest, ATargetThatIsLostIsRepeatedForAtMost400Milliseconds) {
   };
   MoveOptions options = slowly();
   options.stop_on_failure = false;
-  const auto moved = programs.await(programs.start(0, tasks::move_to({.pitch = 20_deg}, options)));
-  EXPECT_EQ(moved.error().code, ErrorCode::timeout);
-  EXPECT_THAT(moved.error().message, HasSubstr("did not begin"));
+  EXPECT_THAT(programs.await(programs.start(0, tasks::move_to({.pitch = 20_deg}, options))),
+              fails(ErrorCode::timeout, "did not begin"));
   EXPECT_LE((last - start).us, 420'000);
   EXPECT_GE((last - start).us, 200'000);
 }
@@ -277,28 +251,11 @@ TEST_P(StopProperty, NothingMovesAfterAStopThatHasSucceeded) {
     for (Owner& owner : owners) owner.set_again();
   };
   const std::size_t stopper = any_program();
-  std::string story;
-  const auto tell = [&](std::size_t program, const std::string& what) {
-    story += std::to_string(programs.board->now.us / 1000) + " ms, program " +
-             std::to_string(program) + ": " + what + "\n";
-  };
-  for (std::size_t i = 0; i < 3; ++i) {
-    programs.lines[i]->pass = [&tell, i](VirtualLine::Way way,
-                                         std::span<const std::uint8_t> bytes) {
-      if (way == VirtualLine::Way::to_board && bytes[1] != 61) {
-        std::string hex;
-        for (const std::uint8_t byte : bytes) hex += fmt::format(" {:02x}", byte);
-        tell(i, hex);
-      }
-      return true;
-    };
-  }
   bool is_fought = false;  // a held speed of another program is repeated by its owner
   for (int i = 0, count = 1 + upto(4); i < count; ++i) {
     const std::size_t program = any_program();
     const msg::Angle14 angle(static_cast<std::int16_t>(upto(3000)));
     const int kind = upto(4);
-    tell(program, "task " + std::to_string(kind));
     switch (kind) {
       case 0: programs.start(program, tasks::move_to({.pitch = angle}, slowly())); break;
       case 1: programs.start(program, tasks::move_to({.yaw = angle}, slowly(40_deg_per_s))); break;
@@ -313,17 +270,15 @@ TEST_P(StopProperty, NothingMovesAfterAStopThatHasSucceeded) {
     }
     programs.run_for(sbgc::milliseconds(upto(700)));
   }
-  tell(stopper, "stop");
   const auto stopped = programs.await(programs.start(stopper, tasks::stop()));
   if (!stopped) {
     EXPECT_TRUE(is_fought || losses > 0) << stopped.error().message;
     return;
   }
   EXPECT_TRUE(programs.stands());
-  tell(stopper, "has stopped");
   bool has_moved = false;
   programs.run(programs.board->now + seconds(4), [&] { return has_moved = !programs.stands(); });
-  EXPECT_FALSE(has_moved) << story;
+  EXPECT_FALSE(has_moved);
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, StopProperty, ::testing::Range(0U, 300U));

@@ -1,11 +1,8 @@
 // The automatic tuning of the controllers, in virtual time.
 
-#include <optional>
-
-#include <gtest/gtest.h>
-
 #include <sbgc/client/tuning.hpp>
 
+#include "testing.hpp"
 #include "virtual_client.hpp"
 
 namespace sbgc::test {
@@ -14,12 +11,11 @@ namespace {
 TEST(Tuning, ReportsItsProgressUntilItsEnd) {
   VirtualClient client;
   std::optional<msg::AutoPid> last;
-  const auto tuned = client.run(tasks::run_tuning(tuning_request({.axes = {.pitch = true}}),
-                                                  {.progress = [&](const auto& report) {
-                                                    last = report;
-                                                    return true;
-                                                  }}));
-  ASSERT_TRUE(tuned) << tuned.error().message;
+  require(client.run(tasks::run_tuning(tuning_request({.axes = {.pitch = true}}),
+                                       {.progress = [&](const auto& report) {
+                                         last = report;
+                                         return true;
+                                       }})));
   ASSERT_TRUE(last);
   EXPECT_GT(last->iter_num, 1);
   EXPECT_FALSE(*client.run(tasks::is_tuning()));
@@ -27,10 +23,9 @@ TEST(Tuning, ReportsItsProgressUntilItsEnd) {
 
 TEST(Tuning, IsEndedAfterACancellation) {
   VirtualClient client;
-  const auto tuned = client.run(tasks::run_tuning(
-      tuning_request({}), {.progress = [&](const auto& report) { return !report; }}));
-  ASSERT_FALSE(tuned);
-  EXPECT_EQ(tuned.error().code, ErrorCode::cancelled);
+  EXPECT_THAT(client.run(tasks::run_tuning(
+                  tuning_request({}), {.progress = [&](const auto& report) { return !report; }})),
+              fails(ErrorCode::cancelled));
   EXPECT_TRUE(client.run(tasks::end_tuning()));
   EXPECT_FALSE(*client.run(tasks::is_tuning()));
 }

@@ -1,8 +1,4 @@
-#include <algorithm>
 #include <cmath>
-#include <limits>
-#include <string>
-#include <vector>
 
 #include <sbgc/availability.hpp>
 #include <sbgc/client/variables.hpp>
@@ -12,9 +8,6 @@
 
 namespace sbgc::test {
 namespace {
-
-using ::testing::HasSubstr;
-using ::testing::SizeIs;
 
 class VariablesTest : public TaskTest {
  protected:
@@ -37,8 +30,7 @@ TEST_F(VariablesTest, AreReadInTheirUnits) {
   set(msg::VariableId::pid_gain_pitch, 45);
   const std::vector<std::string> names{"LPF_FREQ_ROLL", "I_YAW", "FRAME_HEADING_ANGLE",
                                        "PID_GAIN_PITCH"};
-  const auto values = client().get_variables(names);
-  ASSERT_TRUE(values);
+  const auto values = checked(client().get_variables(names));
   ASSERT_THAT(*values, SizeIs(4));
   EXPECT_DOUBLE_EQ(values->at(0), 120);
   EXPECT_DOUBLE_EQ(values->at(1), 0.05);
@@ -113,8 +105,7 @@ TEST_F(VariablesTest, ManyAreMovedInMessagesOfForty) {
   ASSERT_TRUE(client().set_variables(values));
   EXPECT_EQ(count<msg::SetAdjVarsVal>(), 2U);
   EXPECT_EQ(board.log()[0].body[0], 40);
-  const auto read = client().get_variables(names);
-  ASSERT_TRUE(read);
+  const auto read = checked(client().get_variables(names));
   for (std::size_t i = 0; i < values.size(); ++i) EXPECT_EQ(read->at(i), values[i].value);
 
   connect(few_retries);
@@ -150,9 +141,8 @@ TEST_F(VariablesTest, AreSaved) {
 TEST_F(VariablesTest, ABoardThatRefusesToSaveIsReported) {
   static_cast<void>(client());
   board.tamper([](Packets& answers) {
-    msg::ErrorExt error;
-    error.cmd_id = msg::CommandToBoard::save_params_3;
-    error.error_code = msg::BoardErrorCode::wrong_state;
+    msg::ErrorExt error{.cmd_id = msg::CommandToBoard::save_params_3,
+                        .error_code = msg::BoardErrorCode::wrong_state};
     answers = {packet(error)};
   });
   EXPECT_EQ(client().save_variables().error().code, ErrorCode::board_error);

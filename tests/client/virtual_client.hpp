@@ -49,6 +49,14 @@ class VirtualLine {
   Bytes to_host_{};
 };
 
+/// A board without noise, of this firmware.
+inline emulator::EmulatorOptions calm_board(int firmware = 2590) {
+  emulator::EmulatorOptions options;
+  options.board.gimbal.noise = 0;
+  options.board.firmware = msg::FirmwareVersion(static_cast<std::uint16_t>(firmware));
+  return options;
+}
+
 /// A board and its time, which several clients can share.
 struct VirtualBoard {
   explicit VirtualBoard(const emulator::EmulatorOptions& options = {}, emulator::Memory memory = {})

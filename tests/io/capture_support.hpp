@@ -1,24 +1,15 @@
 /// Captures in tests: temporary files, and their contents as readable lines.
 #pragma once
 
-#include <chrono>
 #include <csignal>
-#include <cstdint>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <span>
-#include <string>
 #include <variant>
-#include <vector>
 
-#include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <sbgc/io/capture.hpp>
 
+#include "../client/temporary_folder.hpp"
 #include "support.hpp"
 
 namespace sbgc::io::test {
@@ -29,17 +20,7 @@ inline constexpr CaptureWriter::Clock::time_point begin{std::chrono::hours(1000)
 /// The name of a file that does not exist yet. The destructor removes the file.
 class TemporaryFile {
  public:
-  TemporaryFile() : folder_(testing::TempDir() + "sbgc_XXXXXX") {
-    if (mkdtemp(folder_.data()) == nullptr) ADD_FAILURE() << "no temporary folder";
-  }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  ~TemporaryFile() {
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_, ignored);
-  }
-
-  std::string name() const { return folder_ + "/capture"; }
+  std::string name() const { return (folder_.path() / "capture").string(); }
 
   Bytes content() const {
     std::ifstream file(name(), std::ios::binary);
@@ -53,7 +34,7 @@ class TemporaryFile {
   }
 
  private:
-  std::string folder_;
+  sbgc::test::TemporaryFolder folder_;
 };
 
 /// Limits the size of files written by this process, to simulate a full disk.

@@ -1,19 +1,9 @@
 // Tests of capture files: the format byte by byte, and the recovery of files that are truncated or
 // damaged at any position.
 
-#include <array>
-#include <chrono>
 #include <csignal>
-#include <cstdint>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <random>
-#include <span>
-#include <string>
-#include <utility>
 
-#include <gmock/gmock.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/time.h>
@@ -28,18 +18,37 @@
 namespace sbgc::io::test {
 namespace {
 
-using namespace std::chrono_literals;
-using testing::HasSubstr;
-using testing::IsEmpty;
-using testing::SizeIs;
-using Reason = CaptureDamage::Reason;
-
 /// Two sessions; `ends` holds the offsets at which items end.
 struct Example {
   Bytes file;
   Log log;
   std::vector<std::size_t> ends;
+
+  /// Returns how many items end at `offset` or before.
+  std::size_t count(std::size_t offset) const {
+    return static_cast<std::size_t>(std::ranges::upper_bound(ends, offset) - ends.begin());
+  }
+  std::size_t end(std::size_t item) const { return item == 0 ? 0 : ends[item - 1]; }
+  Bytes first(std::size_t size) const {
+    return {file.begin(), file.begin() + static_cast<std::ptrdiff_t>(size)};
+  }
+  /// Returns the log of the items before `from`, of what is there instead of those up to `to`, and
+  /// of the rest.
+  Log without(std::size_t from, std::size_t to, const Log& instead) const {
+    const auto at = [&](std::size_t item) {
+      return log.begin() + static_cast<std::ptrdiff_t>(item);
+    };
+    Log result(log.begin(), at(from));
+    result.insert(result.end(), instead.begin(), instead.end());
+    result.insert(result.end(), at(to), log.end());
+    return result;
+  }
 };
+
+Log bytes_lost(const std::string& reason, std::size_t begin, std::size_t end) {
+  if (begin == end) return {};
+  return {reason + ": " + std::to_string(end - begin) + " from " + std::to_string(begin)};
+}
 
 Example example() {
   Example result;
@@ -99,36 +108,23 @@ TEST(Capture, ArrivesInAnyPieces) {
 TEST(Capture, TornAnywhereKeepsEverythingBefore) {
   const Example whole = example();
   for (std::size_t size = 0; size < whole.file.size(); ++size) {
-    const Bytes torn(whole.file.begin(), whole.file.begin() + static_cast<std::ptrdiff_t>(size));
-    const auto good = static_cast<std::size_t>(
-        std::upper_bound(whole.ends.begin(), whole.ends.end(), size) - whole.ends.begin());
-    Log expected(whole.log.begin(), whole.log.begin() + static_cast<std::ptrdiff_t>(good));
-    const std::size_t end = good == 0 ? 0 : whole.ends[good - 1];
-    if (size != end) {
-      expected.push_back("torn: " + std::to_string(size - end) + " from " + std::to_string(end));
-    }
-    ASSERT_EQ(log_of(torn), expected) << size;
+    const std::size_t good = whole.count(size);
+    ASSERT_EQ(log_of(whole.first(size)),
+              whole.without(good, 8, bytes_lost("torn", whole.end(good), size)))
+        << size;
   }
 }
 
 TEST(Capture, TornAnywhereAndContinued) {
   const Example whole = example();
-  const std::size_t half = whole.ends[3];  // the end of the first session
-  for (std::size_t size = capture_magic_size; size < half; ++size) {
+  for (std::size_t size = capture_magic_size; size < whole.ends[3]; ++size) {
     const TemporaryFile path;
-    path.write({whole.file.begin(), whole.file.begin() + static_cast<std::ptrdiff_t>(size)});
-    {
-      CaptureWriter writer;
-      ASSERT_FALSE(writer.open(path.name(), begin));
-      writer.write(CaptureKind::from_board, Bytes{42}, begin + 1us);
-    }
-    const auto good = static_cast<std::size_t>(
-        std::upper_bound(whole.ends.begin(), whole.ends.end(), size) - whole.ends.begin());
-    Log expected(whole.log.begin(), whole.log.begin() + static_cast<std::ptrdiff_t>(good));
-    const std::size_t end = good == 0 ? 0 : whole.ends[good - 1];
-    if (size != end) {
-      expected.push_back("damaged: " + std::to_string(size - end) + " from " + std::to_string(end));
-    }
+    path.write(whole.first(size));
+    CaptureWriter writer;
+    ASSERT_FALSE(writer.open(path.name(), begin));
+    writer.write(CaptureKind::from_board, Bytes{42}, begin + 1us);
+    const std::size_t good = whole.count(size);
+    Log expected = whole.without(good, 8, bytes_lost("damaged", whole.end(good), size));
     expected.insert(expected.end(), {"session", "1 @1: *"});
     ASSERT_EQ(log_of(path.content()), expected) << size;
   }
@@ -136,19 +132,13 @@ TEST(Capture, TornAnywhereAndContinued) {
 
 TEST(Capture, OneWrongByteCostsOneRecordOrTheSessionOfAHeader) {
   const Example whole = example();
-  const std::size_t half = whole.ends[3];
-  for (std::size_t at = capture_magic_size; at < half; ++at) {
+  for (std::size_t at = capture_magic_size; at < whole.ends[3]; ++at) {
     Bytes damaged = whole.file;
     damaged[at] ^= 0x10;
-    const auto good =
-        std::upper_bound(whole.ends.begin(), whole.ends.end(), at) - whole.ends.begin();
-    const auto lost = good == 0 ? 4 : 1;
-    const std::size_t begin = good == 0 ? 0 : whole.ends[static_cast<std::size_t>(good) - 1];
-    const std::size_t end = whole.ends[static_cast<std::size_t>(good + lost) - 1];
-    Log expected(whole.log.begin(), whole.log.begin() + good);
-    expected.push_back("damaged: " + std::to_string(end - begin) + " from " +
-                       std::to_string(begin));
-    expected.insert(expected.end(), whole.log.begin() + good + lost, whole.log.end());
+    const std::size_t good = whole.count(at);
+    const std::size_t next = good == 0 ? 4 : good + 1;
+    const Log expected =
+        whole.without(good, next, bytes_lost("damaged", whole.end(good), whole.end(next)));
     ASSERT_EQ(log_of(damaged), expected) << at;
     ASSERT_EQ(log_of(damaged, 7), expected) << at;
   }
@@ -157,12 +147,9 @@ TEST(Capture, OneWrongByteCostsOneRecordOrTheSessionOfAHeader) {
 TEST(Capture, RecordsOfALostSessionAreNotThoseOfTheSessionBefore) {
   const Example whole = example();
   Bytes damaged = whole.file;
-  const std::size_t half = whole.ends[3];
-  damaged[half] ^= 0x10;  // the magic of the second session
-  Log expected(whole.log.begin(), whole.log.begin() + 4);
-  expected.push_back("damaged: " + std::to_string(damaged.size() - half) + " from " +
-                     std::to_string(half));
-  EXPECT_EQ(log_of(damaged), expected);
+  damaged[whole.ends[3]] ^= 0x10;  // the magic of the second session
+  EXPECT_EQ(log_of(damaged),
+            whole.without(4, 8, bytes_lost("damaged", whole.ends[3], damaged.size())));
 }
 
 TEST(Capture, NeitherAreThoseAfterADamagedHeader) {
@@ -176,9 +163,8 @@ TEST(Capture, NeitherAreThoseAfterADamagedHeader) {
   }
   Bytes damaged = path.content();
   damaged[half + capture_magic_size] ^= 0x10;
-  EXPECT_EQ(log_of(damaged), (Log{"session", "1 @2000000: a",
-                                  "damaged: " + std::to_string(damaged.size() - half) + " from " +
-                                      std::to_string(half)}));
+  EXPECT_EQ(log_of(damaged),
+            (Log{"session", "1 @2000000: a", bytes_lost("damaged", half, damaged.size()).front()}));
 }
 
 TEST(Capture, AfterDamageARecordIsAtMostASecondEarlier) {
@@ -206,9 +192,7 @@ TEST(Capture, LaterVersionsAreSkipped) {
                     0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00,
                     0x00, 0x00, 0x7E, 0xD1, 0xE5, 0xE8, 0x01, 0x02, 0x03};
   whole.file.insert(whole.file.end(), later.begin(), later.end());
-  whole.log.push_back("newer version: " + std::to_string(later.size()) + " from " +
-                      std::to_string(size));
-  EXPECT_EQ(log_of(whole.file), whole.log);
+  EXPECT_EQ(log_of(whole.file), whole.without(8, 8, bytes_lost("newer version", size, size + 27)));
 }
 
 TEST(Capture, ZerosAtTheEndAreDamage) {
@@ -216,8 +200,7 @@ TEST(Capture, ZerosAtTheEndAreDamage) {
   Example whole = example();
   const std::size_t size = whole.file.size();
   whole.file.resize(size + 4096);
-  whole.log.push_back("damaged: 4096 from " + std::to_string(size));
-  EXPECT_EQ(log_of(whole.file), whole.log);
+  EXPECT_EQ(log_of(whole.file), whole.without(8, 8, bytes_lost("damaged", size, size + 4096)));
 }
 
 constexpr std::uint64_t longest_time = (std::uint64_t{1} << 62) - 1;
@@ -246,11 +229,8 @@ TEST(Capture, TheLongestTimeIsFollowedByDamageAndASession) {
   Bytes file = whole.file;
   set_time(file, whole.ends[0], whole.ends[1], ~std::uint64_t{0});
   file[whole.ends[1]] ^= 0x10;
-  Log expected(whole.log.begin(), whole.log.begin() + 2);
+  Log expected = whole.without(2, 4, bytes_lost("damaged", whole.ends[1], whole.ends[3]));
   expected[1].replace(2, 2, "@" + std::to_string(longest_time));
-  expected.push_back("damaged: " + std::to_string(whole.ends[3] - whole.ends[1]) + " from " +
-                     std::to_string(whole.ends[1]));
-  expected.insert(expected.end(), whole.log.begin() + 4, whole.log.end());
   EXPECT_EQ(log_of(file), expected);
 }
 
@@ -305,10 +285,10 @@ TEST(CaptureWriter, LeavesOtherFilesAlone) {
 }
 
 TEST(CaptureWriter, APartOfTheFirstHeaderIsReplaced) {
-  const Bytes whole = example().file;
+  const Example whole = example();
   for (std::size_t size = 0; size < capture_magic_size; ++size) {
     const TemporaryFile path;
-    path.write({whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)});
+    path.write(whole.first(size));
     CaptureWriter writer;
     ASSERT_FALSE(writer.open(path.name(), begin)) << size;
     writer.write(CaptureKind::from_board, Bytes{'a'}, begin);

@@ -1,21 +1,11 @@
 // Tests of TCP and UDP on the loopback interface, with plain Asio sockets as peers.
 
-#include <array>
-#include <string>
-#include <tuple>
-#include <vector>
-
-#include <asio/error.hpp>
-#include <asio/io_context.hpp>
 #include <asio/ip/tcp.hpp>
 #include <asio/ip/udp.hpp>
 #include <asio/read.hpp>
 #include <asio/write.hpp>
-#include <gmock/gmock.h>
 #include <netdb.h>
 #include <sys/socket.h>
-
-#include <sbgc/io/network.hpp>
 
 #include "support.hpp"
 
@@ -24,23 +14,18 @@ namespace {
 
 using asio::ip::tcp;
 using asio::ip::udp;
-using testing::HasSubstr;
 
 const asio::ip::address_v4 here = asio::ip::address_v4::loopback();
 
-class Tcp : public testing::Test {
+class Tcp : public Line {
  protected:
   void connect(const std::string& host = "127.0.0.1") {
-    OpenResult result = open_tcp(context.get_executor(), host, acceptor.local_endpoint().port());
-    ASSERT_TRUE(result) << result.error.message;
-    port = std::move(result.transport);
+    port = opened(open_tcp(context.get_executor(), host, acceptor.local_endpoint().port()));
     board = acceptor.accept();
   }
 
-  asio::io_context context;
   tcp::acceptor acceptor{context, {here, 0}};
   tcp::socket board{context};
-  std::unique_ptr<Transport> port;
 };
 
 TEST_F(Tcp, BytesArriveUnchangedBothWays) {
@@ -75,43 +60,32 @@ TEST_F(Tcp, NamesAreLookedUp) {
 
 TEST_F(Tcp, OtherSideClosesDuringRead) {
   connect();
-  Operation reading;
-  Bytes into(8);
-  port->async_read(into, reading.handler());
-  context.poll();
-  EXPECT_FALSE(reading.outcome);
+  Pending reading(context, *port);
   board.close();
-  EXPECT_EQ(finish(context, reading).error, Errc::end_of_stream);
+  EXPECT_EQ(reading.end().error, Errc::end_of_stream);
 }
+
+/// More than a connection takes if nobody reads.
+const Bytes too_much(64 << 20);
 
 TEST_F(Tcp, OtherSideResetsDuringReadAndWrite) {
   connect();
-  Operation reading;
-  Operation writing;
-  Bytes into(8);
-  const Bytes much(64 << 20);
-  port->async_read(into, reading.handler());
-  port->async_write(much, writing.handler());
-  context.poll();
-  EXPECT_FALSE(writing.outcome) << "nothing is read: the write has to wait";
+  Pending reading(context, *port);
+  Pending writing(context, *port, too_much);
   board.set_option(asio::socket_base::linger(true, 0));
   board.close();
-  EXPECT_EQ(finish(context, reading).error, Errc::end_of_stream);
-  EXPECT_EQ(finish(context, writing).error, Errc::end_of_stream);
+  EXPECT_EQ(reading.end().error, Errc::end_of_stream);
+  EXPECT_EQ(writing.end().error, Errc::end_of_stream);
 }
 
 TEST_F(Tcp, CloseDuringReadAndWrite) {
   connect();
-  Operation reading;
-  Operation writing;
-  Bytes into(8);
-  const Bytes much(64 << 20);
-  port->async_read(into, reading.handler());
-  port->async_write(much, writing.handler());
-  context.poll();
+  Pending reading(context, *port);
+  Pending writing(context, *port, too_much);
   port->close();
-  EXPECT_EQ(finish(context, reading).error, asio::error::operation_aborted);
-  EXPECT_EQ(finish(context, writing).error, asio::error::operation_aborted);
+  EXPECT_EQ(reading.end().error, asio::error::operation_aborted);
+  EXPECT_EQ(writing.end().error, asio::error::operation_aborted);
+  Bytes into(8);
   EXPECT_EQ(read(context, *port, into).error, asio::error::operation_aborted);
 }
 
@@ -158,13 +132,10 @@ TEST_F(Tcp, UnknownHostIsSaid) {
   EXPECT_THAT(result.error.message, HasSubstr("gimbal..invalid"));
 }
 
-class Udp : public testing::Test {
+class Udp : public Line {
  protected:
   void connect() {
-    OpenResult result =
-        open_udp(context.get_executor(), "127.0.0.1", board.local_endpoint().port());
-    ASSERT_TRUE(result) << result.error.message;
-    port = std::move(result.transport);
+    port = opened(open_udp(context.get_executor(), "127.0.0.1", board.local_endpoint().port()));
     // The board learns the host's address from its first datagram.
     write(context, *port, Bytes{'?'});
     Bytes got(8);
@@ -173,10 +144,8 @@ class Udp : public testing::Test {
 
   void send(const Bytes& bytes) { board.send_to(asio::buffer(bytes), host); }
 
-  asio::io_context context;
   udp::socket board{context, {here, 0}};
   udp::endpoint host;
-  std::unique_ptr<Transport> port;
 };
 
 TEST_F(Udp, DatagramsAreAStream) {
@@ -195,9 +164,8 @@ TEST_F(Udp, DatagramsAreAStream) {
 
 TEST_F(Udp, LargeDatagramsArriveWhole) {
   connect();
-  const Bytes bytes = every_byte(200);
-  send(bytes);
-  EXPECT_EQ(read_all(context, *port, bytes.size()), bytes);
+  send(every_byte(200));
+  EXPECT_EQ(read_all(context, *port, 256U * 200), every_byte(200));
 }
 
 TEST_F(Udp, LongWritesBecomeSeveralDatagrams) {
@@ -225,21 +193,16 @@ TEST_F(Udp, StrangersAreNotHeard) {
 TEST_F(Udp, NobodyThereIsSaid) {
   connect();
   board.connect(board.local_endpoint());  // keeps the port, but receives only from itself
-  Operation reading;
-  Bytes into(8);
-  port->async_read(into, reading.handler());
+  Pending reading(context, *port);
   write(context, *port, Bytes{1});
-  EXPECT_EQ(finish(context, reading).error, Errc::refused);
+  EXPECT_EQ(reading.end().error, Errc::refused);
 }
 
 TEST_F(Udp, CloseDuringRead) {
   connect();
-  Operation reading;
-  Bytes into(8);
-  port->async_read(into, reading.handler());
-  context.poll();
+  Pending reading(context, *port);
   port.reset();
-  EXPECT_EQ(finish(context, reading).error, asio::error::operation_aborted);
+  EXPECT_EQ(reading.end().error, asio::error::operation_aborted);
 }
 
 }  // namespace

@@ -1,18 +1,9 @@
 // Tests of address strings: their meaning, and the errors for malformed ones.
 
-#include <string>
-
-#include <asio/io_context.hpp>
-#include <gmock/gmock.h>
-
-#include <sbgc/io/open.hpp>
-
 #include "support.hpp"
 
 namespace sbgc::io::test {
 namespace {
-
-using testing::HasSubstr;
 
 Address parsed(std::string_view text) {
   const AddressResult result = parse_address(text);
@@ -122,13 +113,6 @@ TEST(Address, WordsAreOfAnyCase) {
   EXPECT_EQ(parsed("Serial:/dev/ttyS1?parity=Even"),
             Address(SerialAddress{"/dev/ttyS1", {default_line.baud_rate, Parity::even}}));
   EXPECT_EQ(parsed("Capture:X?timing=FAST"), Address(CaptureAddress{"X", ReplayTiming::fast}));
-}
-
-TEST(Open, ReportsWhatTheAddressHasWrong) {
-  asio::io_context context;
-  const OpenResult result = open(context.get_executor(), "tcp:host");
-  EXPECT_FALSE(result);
-  EXPECT_EQ(result.error.code, Errc::bad_address);
 }
 
 TEST(Open, PassesTheSettingsOn) {

@@ -1,44 +1,29 @@
 // Tests of serial ports, simulated by real pseudo-terminals.
 
-#include <array>
 #include <cerrno>
-#include <filesystem>
-#include <string>
 
-#include <asio/error.hpp>
-#include <asio/io_context.hpp>
 #include <fcntl.h>
-#include <gmock/gmock.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <termios.h>
 #include <unistd.h>
 
-#include <sbgc/io/pseudo_terminal.hpp>
-#include <sbgc/io/serial.hpp>
-
+#include "../client/temporary_folder.hpp"
 #include "support.hpp"
 
 namespace sbgc::io::test {
 namespace {
 
-using testing::HasSubstr;
-using testing::StartsWith;
-
 /// A serial port and the pseudo-terminal behind it.
-class Serial : public testing::Test {
+class Serial : public Line {
  protected:
   void play(const PseudoTerminalOptions& options = {}) {
-    PseudoTerminalResult result = open_pseudo_terminal(context.get_executor(), options);
-    ASSERT_TRUE(result) << result.error.message;
-    board = std::move(result.transport);
+    board = opened(open_pseudo_terminal(context.get_executor(), options));
   }
 
   void open(const LineSettings& settings = default_line) {
     if (!board) play();
-    OpenResult result = open_serial(context.get_executor(), board->path(), settings);
-    ASSERT_TRUE(result) << result.error.message;
-    port = std::move(result.transport);
+    port = opened(open_serial(context.get_executor(), board->path(), settings));
   }
 
   /// Returns the settings as seen by another program.
@@ -51,9 +36,7 @@ class Serial : public testing::Test {
     return result;
   }
 
-  asio::io_context context;
   std::unique_ptr<PseudoTerminal> board;
-  std::unique_ptr<Transport> port;
 };
 
 TEST_F(Serial, EveryByteArrivesUnchangedBothWays) {
@@ -71,11 +54,8 @@ TEST_F(Serial, EveryByteArrivesUnchangedBothWays) {
 
 TEST_F(Serial, NothingIsEchoed) {
   open();
-  write(context, *board, every_byte());
-  EXPECT_EQ(read_all(context, *port, 256), every_byte());
-  // An echo would precede this.
-  write(context, *port, Bytes{42});
-  EXPECT_EQ(read_all(context, *board, 1), Bytes{42});
+  expect_arrival(context, *board, *port, every_byte());
+  expect_arrival(context, *port, *board, {42});  // an echo would precede this
 }
 
 TEST_F(Serial, LeavesNothingOfWhatATerminalDoes) {
@@ -105,8 +85,7 @@ TEST_F(Serial, LeavesNothingOfWhatATerminalDoes) {
             tcflag_t{CS8 | CREAD | CLOCAL});
   EXPECT_EQ(now.c_cc[VMIN], 1);
   EXPECT_EQ(now.c_cc[VTIME], 0);
-  write(context, *port, every_byte());
-  EXPECT_EQ(read_all(context, *board, 256), every_byte());
+  expect_arrival(context, *port, *board, every_byte());
 }
 
 TEST_F(Serial, StandardRateHasItsConstant) {
@@ -145,8 +124,7 @@ TEST_F(Serial, WhatTheDriverDoesNotDoIsNoticed) {
   EXPECT_THAT(error.message, HasSubstr("set 19200 8N1 instead."));
   EXPECT_EQ(port->line()->current(), LineSettings{19200});
   // The port still works.
-  write(context, *port, Bytes{1});
-  EXPECT_EQ(read_all(context, *board, 1), Bytes{1});
+  expect_arrival(context, *port, *board, Bytes{1});
   port.reset();
   const OpenResult opened =
       open_serial(context.get_executor(), board->path(), {9600, Parity::even});
@@ -163,8 +141,7 @@ TEST_F(Serial, OpeningDiscardsWhatCameBefore) {
   ASSERT_EQ(::read(fd, &byte, 1), 1);
   ::close(fd);
   open();
-  write(context, *board, Bytes{9});
-  EXPECT_EQ(read_all(context, *port, 1), Bytes{9});
+  expect_arrival(context, *board, *port, Bytes{9});
 }
 
 TEST_F(Serial, FlushDiscards) {
@@ -172,83 +149,62 @@ TEST_F(Serial, FlushDiscards) {
   write(context, *board, Bytes{1, 2, 3});
   EXPECT_EQ(read_all(context, *port, 1), Bytes{1});  // so the others have arrived, too
   EXPECT_FALSE(port->line()->flush());
-  write(context, *board, Bytes{9});
-  EXPECT_EQ(read_all(context, *port, 1), Bytes{9});
+  expect_arrival(context, *board, *port, Bytes{9});
 }
 
 TEST_F(Serial, OtherSideGoesAwayDuringRead) {
   open();
-  Operation reading;
-  Bytes into(16);
-  port->async_read(into, reading.handler());
-  context.poll();
-  EXPECT_FALSE(reading.outcome);
+  Pending reading(context, *port);
   board.reset();
-  EXPECT_EQ(finish(context, reading).error, Errc::device_lost);
-  // The error persists.
+  EXPECT_EQ(reading.end().error, Errc::device_lost);
+  Bytes into(16);  // the error persists
   EXPECT_EQ(read(context, *port, into).error, Errc::device_lost);
   EXPECT_EQ(write(context, *port, into).error, Errc::device_lost);
-  EXPECT_EQ(reading.calls, 1);
 }
+
+/// More than a line takes if nobody reads.
+const Bytes much(1 << 20);
 
 TEST_F(Serial, OtherSideGoesAwayDuringWrite) {
   open();
-  Operation writing;
-  const Bytes much(1 << 20);
-  port->async_write(much, writing.handler());
-  context.poll();
-  EXPECT_FALSE(writing.outcome) << "nothing is read: the write has to wait";
+  Pending writing(context, *port, much);
   board->close();
-  const Outcome outcome = finish(context, writing);
+  const Outcome outcome = writing.end();
   EXPECT_EQ(outcome.error, Errc::device_lost);
   EXPECT_LT(outcome.size, much.size());
 }
 
-TEST_F(Serial, CloseDuringReadAndWrite) {
-  open();
-  Operation reading;
-  Operation writing;
-  Bytes into(16);
-  const Bytes much(1 << 20);
-  port->async_read(into, reading.handler());
-  port->async_write(much, writing.handler());
-  context.poll();
-  port->close();
-  port->close();
-  EXPECT_EQ(finish(context, reading).error, asio::error::operation_aborted);
-  EXPECT_EQ(finish(context, writing).error, asio::error::operation_aborted);
-  EXPECT_EQ(read(context, *port, into).error, asio::error::operation_aborted);
-  EXPECT_EQ(write(context, *port, into).error, asio::error::operation_aborted);
-  EXPECT_TRUE(port->line()->set({9600}));
-  EXPECT_TRUE(port->line()->flush());
-}
-
-TEST_F(Serial, DestroyedDuringReadAndWrite) {
-  open();
-  Operation reading;
-  Operation writing;
-  Bytes into(16);
-  const Bytes much(1 << 20);
-  port->async_read(into, reading.handler());
-  port->async_write(much, writing.handler());
-  context.poll();
-  port.reset();
-  EXPECT_EQ(finish(context, reading).error, asio::error::operation_aborted);
-  EXPECT_EQ(finish(context, writing).error, asio::error::operation_aborted);
+TEST_F(Serial, ClosedOrDestroyedDuringReadAndWrite) {
+  for (const bool is_destroyed : {false, true}) {
+    open();
+    Pending reading(context, *port);
+    Pending writing(context, *port, much);
+    if (is_destroyed) {
+      port.reset();
+    } else {
+      port->close();
+      port->close();
+    }
+    EXPECT_EQ(reading.end().error, asio::error::operation_aborted);
+    EXPECT_EQ(writing.end().error, asio::error::operation_aborted);
+    if (is_destroyed) return;
+    Bytes into(16);
+    EXPECT_EQ(read(context, *port, into).error, asio::error::operation_aborted);
+    EXPECT_EQ(write(context, *port, into).error, asio::error::operation_aborted);
+    EXPECT_TRUE(port->line()->set({9600}));
+    EXPECT_TRUE(port->line()->flush());
+    board.reset();
+  }
 }
 
 TEST_F(Serial, DestroyedWhileAWriteIsHalfDone) {
   // Part of the data has been written and the completion is queued when the port is destroyed.
   open();
-  Operation writing;
-  const Bytes much(1 << 20);
+  Pending writing(context, *port, much);
   Bytes into(4096);
-  port->async_write(much, writing.handler());
-  for (int i = 0; i < 20; ++i) {
-    read(context, *board, into);
-  }
+  for (int i = 0; i < 20; ++i) read(context, *board, into);
   port.reset();
-  EXPECT_EQ(finish(context, writing).error, asio::error::operation_aborted);
+  EXPECT_EQ(writing.end().error, asio::error::operation_aborted);
 }
 
 TEST_F(Serial, IsExclusive) {
@@ -258,8 +214,7 @@ TEST_F(Serial, IsExclusive) {
   EXPECT_EQ(second.error.code, Errc::busy);
   EXPECT_THAT(second.error.message, HasSubstr(board->path() + " is in use"));
   // The first one is not affected.
-  write(context, *board, Bytes{1});
-  EXPECT_EQ(read_all(context, *port, 1), Bytes{1});
+  expect_arrival(context, *board, *port, Bytes{1});
   port.reset();
   open();
 }
@@ -291,8 +246,7 @@ TEST_F(Serial, CanBeOpenedAgainAfterClosing) {
   play({.stays_open = true});
   for (const std::uint8_t value : Bytes{1, 2, 3}) {
     open();
-    write(context, *port, Bytes{value});
-    EXPECT_EQ(read_all(context, *board, 1), Bytes{value});
+    expect_arrival(context, *port, *board, Bytes{value});
     port->close();
   }
 }
@@ -304,7 +258,7 @@ TEST(SerialErrors, NoSuchPort) {
   EXPECT_EQ(result.error.code, Errc::no_such_port);
   EXPECT_THAT(result.error.message, StartsWith("There is no port /dev/ttyNONE7. "));
   EXPECT_THAT(result.error.message,
-              testing::AnyOf(HasSubstr("Available ports:\n  /dev/"), HasSubstr("plugged in?")));
+              AnyOf(HasSubstr("Available ports:\n  /dev/"), HasSubstr("plugged in?")));
 }
 
 TEST(SerialErrors, NotASerialPort) {
@@ -321,11 +275,11 @@ TEST(SerialErrors, NotASerialPort) {
 }
 
 TEST(SerialErrors, APipeDoesNotBlock) {
-  const std::string path = testing::TempDir() + "sbgc_pipe_" + std::to_string(getpid());
+  const sbgc::test::TemporaryFolder folder;
+  const std::string path = folder.path() / "pipe";
   ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
   asio::io_context context;
   EXPECT_EQ(open_serial(context.get_executor(), path).error.code, Errc::not_a_port);
-  std::filesystem::remove(path);
 }
 
 TEST(SerialErrors, PermissionSaysWhatToDo) {
@@ -355,53 +309,36 @@ TEST(SerialErrors, PermissionDeniedIsRecognised) {
   EXPECT_THAT(result.error.message, HasSubstr("You do not have permission to open /dev/pts/"));
 }
 
-TEST(PseudoTerminal, LosesWhatNobodyReadsIfItStaysOpen) {
-  asio::io_context context;
-  const auto board = open_pseudo_terminal(context.get_executor(), {.stays_open = true}).transport;
-  ASSERT_TRUE(board);
-  const Bytes much(1 << 20);
+using PseudoTerminals = Serial;
+
+TEST_F(PseudoTerminals, LoseWhatNobodyReadsIfTheyStayOpen) {
+  play({.stays_open = true});
   const Outcome outcome = write(context, *board, much);
   EXPECT_FALSE(outcome.error);
   EXPECT_EQ(outcome.size, much.size());
 }
 
-TEST(PseudoTerminal, StaysOpen) {
-  asio::io_context context;
-  const auto board = open_pseudo_terminal(context.get_executor(), {.stays_open = true}).transport;
-  ASSERT_TRUE(board);
-  Operation reading;
-  Bytes into(4);
-  board->async_read(into, reading.handler());
-  {
-    const OpenResult port = open_serial(context.get_executor(), board->path());
-    ASSERT_TRUE(port);
-  }
-  context.poll();
-  EXPECT_FALSE(reading.outcome);
-  const OpenResult port = open_serial(context.get_executor(), board->path());
-  write(context, *port.transport, Bytes{5});
-  EXPECT_EQ(finish(context, reading).size, 1U);
-  EXPECT_EQ(into[0], 5);
+TEST_F(PseudoTerminals, StayOpen) {
+  play({.stays_open = true});
+  Pending reading(context, *board);
+  open();
+  port.reset();
+  reading.expect_waiting();
+  open();
+  write(context, *port, Bytes{5});
+  EXPECT_EQ(reading.end().size, 1U);
+  EXPECT_EQ(reading.bytes()[0], 5);
 }
 
-TEST(PseudoTerminal, OtherSideCloses) {
-  asio::io_context context;
-  const auto board = open_pseudo_terminal(context.get_executor()).transport;
-  ASSERT_TRUE(board);
-  OpenResult port = open_serial(context.get_executor(), board->path());
-  Operation reading;
-  Bytes into(4);
-  board->async_read(into, reading.handler());
-  context.poll();
-  EXPECT_FALSE(reading.outcome);
-  port.transport.reset();
-  EXPECT_EQ(finish(context, reading).error, Errc::device_lost);
+TEST_F(PseudoTerminals, OtherSideCloses) {
+  open();
+  Pending reading(context, *board);
+  port.reset();
+  EXPECT_EQ(reading.end().error, Errc::device_lost);
 }
 
-TEST(PseudoTerminal, Describes) {
-  asio::io_context context;
-  const auto board = open_pseudo_terminal(context.get_executor()).transport;
-  ASSERT_TRUE(board);
+TEST_F(PseudoTerminals, Describe) {
+  play();
   EXPECT_EQ(board->description(), "pseudo-terminal " + board->path());
   EXPECT_THAT(board->path(), StartsWith("/dev/pts/"));
   EXPECT_EQ(board->other_line(), default_line);

@@ -1,21 +1,45 @@
 /// Helpers shared by the tests of transports.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <memory>
 #include <numeric>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <system_error>
+#include <thread>
+#include <utility>
 #include <vector>
 
+#include <asio/error.hpp>
 #include <asio/io_context.hpp>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <sbgc/io/transport.hpp>
+#include <sbgc/io/memory.hpp>
+#include <sbgc/io/network.hpp>
+#include <sbgc/io/open.hpp>
+#include <sbgc/io/pseudo_terminal.hpp>
+#include <sbgc/io/serial.hpp>
 
 namespace sbgc::io::test {
+
+using namespace std::chrono_literals;
+using ::testing::AnyOf;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+using ::testing::StartsWith;
 
 using Bytes = std::vector<std::uint8_t>;
 
@@ -95,5 +119,64 @@ inline Outcome write(asio::io_context& context, Transport& transport,
   transport.async_write(bytes, operation.handler());
   return finish(context, operation);
 }
+
+/// Expects that bytes that one end writes arrive at the other one.
+inline void expect_arrival(asio::io_context& context, Transport& from, Transport& to,
+                           const Bytes& bytes) {
+  Operation writing;
+  from.async_write(bytes, writing.handler());
+  EXPECT_EQ(read_all(context, to, bytes.size()), bytes);
+  EXPECT_EQ(finish(context, writing).size, bytes.size());
+}
+
+/// A read that waits, or a write of more bytes than any line holds.
+class Pending {
+ public:
+  Pending(asio::io_context& context, Transport& reader) : context_(context), bytes_(16) {
+    reader.async_read(bytes_, operation_.handler());
+    expect_waiting();
+  }
+  Pending(asio::io_context& context, Transport& writer, Bytes bytes)
+      : context_(context), bytes_(std::move(bytes)) {
+    writer.async_write(bytes_, operation_.handler());
+    expect_waiting();
+  }
+  Pending(const Pending&) = delete;
+  Pending& operator=(const Pending&) = delete;
+  ~Pending() { EXPECT_LE(operation_.calls, 1); }
+
+  Outcome end() { return finish(context_, operation_); }
+  const Bytes& bytes() const { return bytes_; }
+  void expect_waiting() {
+    context_.poll();
+    EXPECT_FALSE(operation_.outcome);
+  }
+
+ private:
+  asio::io_context& context_;
+  Bytes bytes_;
+  Operation operation_{};
+};
+
+/// Returns the transport of what has been opened; throws its error.
+template <class Opened>
+auto opened(Opened result) {
+  if (!result) throw std::runtime_error(result.error.message);
+  return std::move(result.transport);
+}
+
+/// A test with an executor, and the two ends of a line.
+class Line : public ::testing::Test {
+ protected:
+  void make_pair(const MemoryOptions& options = {}) {
+    auto pair = make_memory_pair(context.get_executor(), options);
+    port = std::move(pair.first);
+    other = std::move(pair.second);
+  }
+
+  asio::io_context context;
+  std::unique_ptr<Transport> port;
+  std::unique_ptr<Transport> other;
+};
 
 }  // namespace sbgc::io::test

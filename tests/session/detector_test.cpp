@@ -1,33 +1,11 @@
 // Tests of the search for a board's line settings, in virtual time, with a simulated port.
 
-#include <algorithm>
-#include <cstdint>
-#include <functional>
-#include <random>
-#include <set>
-#include <utility>
-#include <vector>
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <sbgc/detector.hpp>
 
 #include "simulation.hpp"
 
+namespace sbgc::test {
 namespace {
-
-using sbgc::Detector;
-using sbgc::DetectorStep;
-using sbgc::Duration;
-using sbgc::Instant;
-using sbgc::LineSettings;
-using sbgc::milliseconds;
-using sbgc::Parity;
-using sbgc::seconds;
-using simulation::Body;
-using simulation::body_of;
-using simulation::frame_of;
 
 /// A simulated port that receives the bytes returned by `hear`, and records the calls.
 struct Port {
@@ -36,7 +14,7 @@ struct Port {
   std::function<bool(const LineSettings&)> can_be_set = [](const LineSettings&) { return true; };
   Duration delay = milliseconds(5);
   std::vector<LineSettings> visited;
-  Instant now = simulation::start;
+  Instant now = start_time;
   Duration taken{};
 
   /// Runs the search and returns the kind of the last step.
@@ -63,13 +41,13 @@ struct Port {
         case DetectorStep::Kind::wait:
           EXPECT_GT(step.until, now) << "no progress";
           EXPECT_NE(step.until, Instant::never);
-          now = sbgc::earlier(step.until, heard_at);
+          now = earlier(step.until, heard_at);
           if (now == heard_at) {
             detector.feed(heard);
             heard_at = Instant::never;
           }
           break;
-        default: taken = now - simulation::start; return step.kind;
+        default: taken = now - start_time; return step.kind;
       }
     }
     ADD_FAILURE() << "no end";
@@ -93,8 +71,8 @@ std::function<Body(const LineSettings&, const Body&)> board_at(const LineSetting
 
 TEST(Detector, FindsTheBoardOnEveryLine) {
   for (const unsigned seed : {0U, 1U, 2U, 3U}) {
-    for (const std::uint32_t rate : sbgc::baud_rates) {
-      for (const Parity parity : sbgc::parities) {
+    for (const std::uint32_t rate : baud_rates) {
+      for (const Parity parity : parities) {
         Port port;
         port.hear = board_at({rate, parity}, seed);
         Detector detector;
@@ -137,7 +115,7 @@ TEST(Detector, GivesUpSoonOnASilentLine) {
   EXPECT_EQ(port.search(detector), DetectorStep::Kind::failed);
   EXPECT_LT(port.taken, seconds(9));
   EXPECT_THAT(port.visited, ::testing::SizeIs(2 * Detector::lines));
-  for (const sbgc::Trial& trial : detector.trials()) {
+  for (const Trial& trial : detector.trials()) {
     EXPECT_EQ(trial.probes, 4);
     EXPECT_EQ(trial.bytes, 0U);
   }
@@ -155,7 +133,7 @@ TEST(Detector, ReportsWhatItTried) {
   Detector detector;
   EXPECT_EQ(port.search(detector), DetectorStep::Kind::failed);
   std::set<std::pair<std::uint32_t, Parity>> lines;
-  for (const sbgc::Trial& trial : detector.trials()) {
+  for (const Trial& trial : detector.trials()) {
     lines.emplace(trial.line.baud_rate, trial.line.parity);
     const bool is_noisy = trial.line == LineSettings{9600, Parity::none};
     const bool is_heard = trial.line == LineSettings{9600, Parity::even};
@@ -179,11 +157,10 @@ TEST(Detector, CountsABadFrameWhereverItIs) {
     bytes.insert(bytes.end(), frame.begin(), frame.end());
     return bytes;
   };
-  sbgc::DetectorOptions options;
-  options.probes = 1;
+  DetectorOptions options{.probes = 1};
   Detector detector(options);
   EXPECT_EQ(port.search(detector), DetectorStep::Kind::found);
-  for (const sbgc::Trial& trial : detector.trials()) {
+  for (const Trial& trial : detector.trials()) {
     EXPECT_EQ(trial.bad_frames, trial.line.baud_rate == 9600 && trial.bytes != 0 ? 1U : 0U);
     if (trial.bytes != 0) EXPECT_EQ(trial.probes, 1);
   }
@@ -201,7 +178,7 @@ TEST(Detector, AsksAgainWhenQuestionsAreLost) {
   // All responses of both rounds are lost.
   EXPECT_EQ(port.search(detector), DetectorStep::Kind::failed);
   heard = 2;
-  port.now = simulation::start;
+  port.now = start_time;
   Detector again;
   EXPECT_EQ(port.search(again), DetectorStep::Kind::found);
 }
@@ -233,7 +210,7 @@ TEST(Detector, LeavesOutWhatThePortCannotDo) {
   Detector detector;
   EXPECT_EQ(port.search(detector), DetectorStep::Kind::failed);
   EXPECT_THAT(port.visited, ::testing::SizeIs(20));
-  for (const sbgc::Trial& trial : detector.trials()) {
+  for (const Trial& trial : detector.trials()) {
     EXPECT_EQ(trial.is_refused, trial.line.baud_rate > 115200);
   }
   Port broken;
@@ -243,46 +220,47 @@ TEST(Detector, LeavesOutWhatThePortCannotDo) {
   EXPECT_EQ(broken.taken, Duration{});
 }
 
-TEST(Detector, WaitsAsLongAsTheLineNeeds) {
-  sbgc::DetectorOptions options;
-  options.response_timeout = Duration{};
-  Detector detector(options);
-  Instant now = simulation::start;
-  for (;;) {  // up to the first request at 9600 baud
+/// Runs the search up to the first request at a rate.
+DetectorStep request_at(Detector& detector, std::uint32_t baud_rate, Instant& now) {
+  for (int steps = 0; steps < 100'000; ++steps) {
     const DetectorStep step = detector.next(now);
     if (step.kind == DetectorStep::Kind::wait) now = step.until;
-    if (step.kind == DetectorStep::Kind::write && step.line.baud_rate == 9600) break;
-    ASSERT_NE(step.kind, DetectorStep::Kind::failed);
+    if (step.kind == DetectorStep::Kind::write && step.line.baud_rate == baud_rate) return step;
   }
+  ADD_FAILURE() << "no request";
+  return {};
+}
+
+TEST(Detector, WaitsAsLongAsTheLineNeeds) {
+  DetectorOptions options;
+  options.response_timeout = Duration{};
+  Detector detector(options);
+  Instant now = start_time;
+  request_at(detector, 9600, now);
   // 5 bytes of request, 23 of response, 10 bits each.
-  EXPECT_EQ(detector.next(now).until, now + sbgc::wire_time({9600, Parity::none}, 28));
+  EXPECT_EQ(detector.next(now).until, now + wire_time({9600, Parity::none}, 28));
 }
 
 TEST(Detector, AsksWhatItIsTold) {
   const auto question = frame_of(86, body_of(9));
-  sbgc::DetectorOptions options;
+  DetectorOptions options;
   options.question = question;
   Detector detector(options);
-  for (Instant now = simulation::start;;) {
-    const DetectorStep step = detector.next(now);
-    if (step.kind == DetectorStep::Kind::wait) now = step.until;
-    if (step.kind != DetectorStep::Kind::write) continue;
-    EXPECT_TRUE(std::equal(step.bytes.begin(), step.bytes.end(), question.begin(), question.end()));
-    const std::size_t bytes = question.size() + sbgc::frame_size(18);
-    EXPECT_EQ(detector.next(now).until,
-              now + sbgc::wire_time(step.line, bytes) + options.response_timeout);
-    break;
-  }
+  Instant now = start_time;
+  const DetectorStep step = request_at(detector, 115200, now);
+  EXPECT_TRUE(std::ranges::equal(step.bytes, question));
+  EXPECT_EQ(detector.next(now).until, now + wire_time(step.line, question.size() + frame_size(18)) +
+                                          options.response_timeout);
 }
 
 TEST(Detector, WithoutRoundsDoesNothing) {
-  sbgc::DetectorOptions options;
-  options.rounds = 0;
+  DetectorOptions options{.rounds = 0};
   Detector detector(options);
-  EXPECT_EQ(detector.next(simulation::start).kind, DetectorStep::Kind::failed);
+  EXPECT_EQ(detector.next(start_time).kind, DetectorStep::Kind::failed);
   detector.feed(frame_of(86, body_of(18)));
   detector.refuse();
-  EXPECT_EQ(detector.next(simulation::start).kind, DetectorStep::Kind::failed);
+  EXPECT_EQ(detector.next(start_time).kind, DetectorStep::Kind::failed);
 }
 
 }  // namespace
+}  // namespace sbgc::test

@@ -1,31 +1,13 @@
 // Tests of a session that changes its framing.
 
-#include <vector>
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <sbgc/availability.hpp>
-#include <sbgc/responses/all.hpp>
-#include <sbgc/session.hpp>
 
-#include "commands.hpp"
 #include "simulation.hpp"
 
+namespace sbgc::test {
 namespace {
 
-using commands::board_info;
-using sbgc::Framing;
-using sbgc::Handle;
-using sbgc::milliseconds;
-using sbgc::Outcome;
-using simulation::body_of;
-using simulation::frame_of;
-using simulation::Simulation;
-using simulation::Written;
-using ::testing::ElementsAre;
-using ::testing::IsEmpty;
-using ::testing::SizeIs;
+using Framings = LineTest;
 
 constexpr std::uint8_t get_angles = 73;
 
@@ -44,25 +26,24 @@ std::vector<Framing> framings_of(const std::vector<Written>& written) {
 }
 
 Handle try_v2(Simulation& line) {
-  return line.session.try_framing(Framing::v2, sbgc::msg::BoardInfoRequest{}).handle;
+  return line.session.try_framing(Framing::v2, msg::BoardInfoRequest{}).handle;
 }
 
 TEST(SessionFraming, IsTheNewestOneThatTheFirmwareKnows) {
-  EXPECT_EQ(sbgc::newest_framing({2679, 31}), Framing::v1);
-  EXPECT_EQ(sbgc::newest_framing({2680, 30}), Framing::v2);
+  EXPECT_EQ(newest_framing({2679, 31}), Framing::v1);
+  EXPECT_EQ(newest_framing({2680, 30}), Framing::v2);
 }
 
-TEST(SessionFraming, ChangesWhenTheBoardAnswersInTheOther) {
-  Simulation line;
+TEST_F(Framings, ChangesWhenTheBoardAnswersInTheOther) {
   line.board = [&](const Written& request) { answer(line, request); };
-  const Handle before = line.send(sbgc::msg::BoardInfoRequest{});
+  const Handle before = line.send(msg::BoardInfoRequest{});
   line.run();
   EXPECT_EQ(line.session.framing(), Framing::v1);
   const Handle trial = try_v2(line);
   line.run();
   EXPECT_EQ(line.session.framing(), Framing::v2);
   EXPECT_EQ(line.session.statistics().framing, Framing::v2);
-  const Handle after = line.send(sbgc::msg::BoardInfoRequest{});
+  const Handle after = line.send(msg::BoardInfoRequest{});
   line.run();
   for (const Handle handle : {before, trial, after}) {
     EXPECT_EQ(line.outcome(handle), Outcome::answered);
@@ -70,22 +51,18 @@ TEST(SessionFraming, ChangesWhenTheBoardAnswersInTheOther) {
   EXPECT_THAT(framings_of(line.written), ElementsAre(Framing::v1, Framing::v2, Framing::v2));
 }
 
-TEST(SessionFraming, StaysIfTheBoardDoesNotAnswerInTheOther) {
-  Simulation line;
+TEST_F(Framings, StaysIfTheBoardDoesNotAnswerInTheOther) {
   line.board = [&](const Written& request) { answer(line, request, Framing::v1); };
   const Handle trial = try_v2(line);
   line.run();
   EXPECT_EQ(line.outcome(trial), Outcome::timeout);
   EXPECT_EQ(line.session.framing(), Framing::v1);
-  const Handle after = line.send(sbgc::msg::BoardInfoRequest{});
-  line.run();
-  EXPECT_EQ(line.outcome(after), Outcome::answered);
+  EXPECT_EQ(line.ask(msg::BoardInfoRequest{}), Outcome::answered);
   EXPECT_THAT(framings_of(line.written),
               ElementsAre(Framing::v2, Framing::v2, Framing::v2, Framing::v1));
 }
 
-TEST(SessionFraming, StaysIfTheAnswerIsInTheOldOne) {
-  Simulation line;
+TEST_F(Framings, StaysIfTheAnswerIsInTheOldOne) {
   line.board = [&](const Written& request) { line.say(request.id, body_of(18)); };
   const Handle trial = try_v2(line);
   line.run();
@@ -93,8 +70,7 @@ TEST(SessionFraming, StaysIfTheAnswerIsInTheOldOne) {
   EXPECT_EQ(line.session.framing(), Framing::v1);
 }
 
-TEST(SessionFraming, OnlyTheOneInUseIsAccepted) {
-  Simulation line;
+TEST_F(Framings, OnlyTheOneInUseIsAccepted) {
   line.say_bytes(frame_of(102, body_of(4), Framing::v2));
   line.run_for(milliseconds(10));
   EXPECT_THAT(line.events, IsEmpty());
@@ -110,26 +86,24 @@ TEST(SessionFraming, OnlyTheOneInUseIsAccepted) {
   EXPECT_THAT(line.events, SizeIs(1));
 }
 
-TEST(SessionFraming, ATrialLosesNoFrameOfEither) {
-  Simulation line;
+TEST_F(Framings, ATrialLosesNoFrameOfEither) {
   line.board = [&](const Written& request) {
     line.say(102, body_of(4), milliseconds(1));
     answer(line, request);
   };
   try_v2(line);
   line.run();
-  EXPECT_THAT(line.of(sbgc::EventKind::unsolicited), SizeIs(1));
+  EXPECT_THAT(line.of(EventKind::unsolicited), SizeIs(1));
   EXPECT_EQ(line.session.framing(), Framing::v2);
 }
 
 // A request before the trial is answered in the old framing, one after it in the new one.
-TEST(SessionFraming, NothingIsInFlightDuringATrial) {
-  Simulation line;
+TEST_F(Framings, NothingIsInFlightDuringATrial) {
   line.board = [&](const Written& request) { answer(line, request); };
-  const Handle before = line.send(sbgc::msg::GetAnglesRequest{});
+  const Handle before = line.send(msg::GetAnglesRequest{});
   const Handle trial = try_v2(line);
-  const Handle after = line.send(sbgc::msg::GetAnglesExtRequest{});
-  line.on_event = [&](const simulation::Record& record) {
+  const Handle after = line.send(msg::GetAnglesExtRequest{});
+  line.on_event = [&](const Record& record) {
     if (record.event.handle == before) {
       EXPECT_THAT(line.written, SizeIs(1));
     }
@@ -144,41 +118,32 @@ TEST(SessionFraming, NothingIsInFlightDuringATrial) {
   EXPECT_EQ(line.outcome(after), Outcome::answered);
 }
 
-TEST(SessionFraming, ANewLinkBeginsWithTheFramingOfEveryBoard) {
-  Simulation line;
+TEST_F(Framings, ANewLinkBeginsWithTheFramingOfEveryBoard) {
   line.board = [&](const Written& request) { answer(line, request); };
   try_v2(line);
   line.run();
   line.session.abandon(line.sink());
   EXPECT_EQ(line.session.framing(), Framing::v1);
-  const Handle again = line.send(sbgc::msg::BoardInfoRequest{});
-  line.run();
-  EXPECT_EQ(line.outcome(again), Outcome::answered);
+  EXPECT_EQ(line.ask(msg::BoardInfoRequest{}), Outcome::answered);
 }
 
-TEST(SessionFraming, ACancelledTrialChangesNothing) {
-  Simulation line;
+TEST_F(Framings, ACancelledTrialChangesNothing) {
   const Handle trial = try_v2(line);
   line.run_for(milliseconds(50));
   EXPECT_TRUE(line.session.cancel(trial, line.sink()));
   EXPECT_EQ(line.session.framing(), Framing::v1);
   line.board = [&](const Written& request) { answer(line, request); };
-  const Handle after = line.send(sbgc::msg::GetAnglesRequest{});
-  line.run();
-  EXPECT_EQ(line.outcome(after), Outcome::answered);
+  EXPECT_EQ(line.ask(msg::GetAnglesRequest{}), Outcome::answered);
 }
 
 TEST(SessionFraming, CanBeFixed) {
-  simulation::Basic<sbgc::BasicSession<sbgc::SessionCapacity{},
-                                       sbgc::FrameFormats<sbgc::CrcTable::nibbles, Framing::v2>>>
-      line;
+  Basic<BasicSession<SessionCapacity{}, FrameFormats<CrcTable::nibbles, Framing::v2>>> line;
   line.board = [&](const Written& request) {
     line.say_bytes(frame_of(request.id, body_of(18), request.framing));
   };
-  const Handle handle = line.send(sbgc::msg::BoardInfoRequest{});
-  line.run();
-  EXPECT_EQ(line.outcome(handle), Outcome::answered);
+  EXPECT_EQ(line.ask(msg::BoardInfoRequest{}), Outcome::answered);
   EXPECT_THAT(framings_of(line.written), ElementsAre(Framing::v2));
 }
 
 }  // namespace
+}  // namespace sbgc::test

@@ -1,193 +1,154 @@
 // Tests of the timing on the line: pauses between commands, and the share of data streams.
 
-#include <algorithm>
-#include <vector>
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <sbgc/responses/all.hpp>
-#include <sbgc/session.hpp>
-
 #include "simulation.hpp"
 
+namespace sbgc::test {
 namespace {
 
-using sbgc::Duration;
-using sbgc::EventKind;
-using sbgc::Handle;
-using sbgc::milliseconds;
-using sbgc::Outcome;
-using sbgc::Parity;
-using sbgc::Sample;
-using sbgc::SendStatus;
-using simulation::body_of;
-using simulation::Record;
-using simulation::Simulation;
-using simulation::Written;
-using ::testing::ElementsAre;
-using ::testing::SizeIs;
+using Pacing = LineTest;
+using Timeouts = LineTest;
+using StreamBudget = LineTest;
 
 /// Returns the time between the frames of `first` and of another request.
 template <class M>
-Duration gap_behind(const M& first, const sbgc::SessionOptions& options = {}) {
+Duration gap_behind(const M& first, const SessionOptions& options = {}) {
   Simulation line(options);
   line.send(first);
-  line.send(sbgc::msg::BeepSound{});
+  line.send(msg::BeepSound{});
   line.run();
   EXPECT_GE(line.written.size(), 2U);
   return line.written[1].at - line.written[0].at;
 }
 
 TEST(WireTime, OfAByteAndOfAFrame) {
-  EXPECT_EQ(sbgc::wire_time({9600, Parity::none}, 96), milliseconds(100));
-  EXPECT_EQ(sbgc::wire_time({9600, Parity::even}, 96), milliseconds(110));
-  EXPECT_EQ(sbgc::wire_time({115200, Parity::none}, 1).us, 87);  // 86.8, rounded up
-  EXPECT_EQ(sbgc::wire_time({0, Parity::none}, 1000), Duration{});
-  EXPECT_EQ(sbgc::bytes_per_second({115200, Parity::none}), 11520U);
-  EXPECT_EQ(sbgc::bytes_per_second({115200, Parity::even}), 10472U);
+  EXPECT_EQ(wire_time({9600, Parity::none}, 96), milliseconds(100));
+  EXPECT_EQ(wire_time({9600, Parity::even}, 96), milliseconds(110));
+  EXPECT_EQ(wire_time({115200, Parity::none}, 1).us, 87);  // 86.8, rounded up
+  EXPECT_EQ(wire_time({0, Parity::none}, 1000), Duration{});
+  EXPECT_EQ(bytes_per_second({115200, Parity::none}), 11520U);
+  EXPECT_EQ(bytes_per_second({115200, Parity::even}), 10472U);
 }
 
-TEST(Pacing, LiesBetweenTenAndTwentyMilliseconds) {
-  const Duration small = gap_behind(sbgc::msg::Control{});
-  const Duration large = gap_behind(sbgc::msg::ReadParams3Request{});
+TEST(PacingRules, LiesBetweenTenAndTwentyMilliseconds) {
+  const Duration small = gap_behind(msg::Control{});
+  const Duration large = gap_behind(msg::ReadParams3Request{});
   EXPECT_EQ(small, milliseconds(10));
   EXPECT_GT(large, small + milliseconds(2)) << "the response has a body of 134 bytes";
   EXPECT_LE(large, milliseconds(20));
 }
 
-TEST(Pacing, GivesTheRequestAndTheAnswerTheirTimeOnTheLine) {
-  sbgc::SessionOptions options;
+TEST(PacingRules, GivesTheRequestAndTheAnswerTheirTimeOnTheLine) {
+  SessionOptions options;
   options.line = {9600, Parity::even};
   // 6 bytes of request, 139 bytes of response, 11 bits each.
-  EXPECT_EQ(gap_behind(sbgc::msg::ReadParams3Request{}, options),
-            sbgc::wire_time(options.line, 6) + sbgc::wire_time(options.line, 139));
+  EXPECT_EQ(gap_behind(msg::ReadParams3Request{}, options),
+            wire_time(options.line, 6) + wire_time(options.line, 139));
 }
 
-TEST(Pacing, CanBeOffAndOther) {
-  sbgc::SessionOptions options;
+TEST(PacingRules, CanBeOffAndOther) {
+  SessionOptions options;
   options.pacing = {};
   options.pacing.shortest = options.pacing.longest = Duration{};
-  EXPECT_EQ(gap_behind(sbgc::msg::Control{}, options), Duration{});
-  for (const Duration pause : {milliseconds(40), sbgc::microseconds(1)}) {
+  EXPECT_EQ(gap_behind(msg::Control{}, options), Duration{});
+  for (const Duration pause : {milliseconds(40), microseconds(1)}) {
     options.pacing = {pause, pause};
-    EXPECT_EQ(gap_behind(sbgc::msg::Control{}, options), pause);
+    EXPECT_EQ(gap_behind(msg::Control{}, options), pause);
   }
   options.pacing = {milliseconds(-1), milliseconds(-1)};
-  EXPECT_EQ(gap_behind(sbgc::msg::Control{}, options), Duration{}) << "as if 0";
+  EXPECT_EQ(gap_behind(msg::Control{}, options), Duration{}) << "as if 0";
 }
 
-TEST(Pacing, EndsWithTheResponse) {
-  Simulation line;
+TEST_F(Pacing, EndsWithTheResponse) {
   line.board = [&](const Written& frame) { line.say(frame.id, body_of(18), milliseconds(2)); };
-  for (int i = 0; i < 3; ++i) line.send(sbgc::msg::GetAnglesRequest{});
+  for (int i = 0; i < 3; ++i) line.send(msg::GetAnglesRequest{});
   line.run();
   ASSERT_THAT(line.written, SizeIs(3));
-  EXPECT_EQ(line.written[1].at - line.written[0].at, milliseconds(2));
-  EXPECT_EQ(line.written[2].at - line.written[1].at, milliseconds(2));
+  EXPECT_EQ(gap(1), milliseconds(2));
+  EXPECT_EQ(gap(2), milliseconds(2));
 }
 
-TEST(Pacing, EndsWithAConfirmationOrAnError) {
-  Simulation line;
+TEST_F(Pacing, EndsWithAConfirmationOrAnError) {
   line.board = [&](const Written& frame) { line.confirm(frame.id, milliseconds(1)); };
-  line.send(sbgc::msg::MotorsOn{}, {.expect_confirmation = true});
-  line.send(sbgc::msg::BeepSound{});
+  line.send(msg::MotorsOn{}, {.expect_confirmation = true});
+  line.send(msg::BeepSound{});
   line.run();
   ASSERT_THAT(line.written, SizeIs(2));
-  EXPECT_EQ(line.written[1].at - line.written[0].at, milliseconds(1));
+  EXPECT_EQ(gap(1), milliseconds(1));
 
   Simulation refused;
   refused.board = [&](const Written& frame) {
     refused.say(255, {1, frame.id, 0, 0, 0}, milliseconds(1));
   };
-  refused.send(sbgc::msg::GetAnglesRequest{});
-  refused.send(sbgc::msg::BeepSound{});
+  refused.send(msg::GetAnglesRequest{});
+  refused.send(msg::BeepSound{});
   refused.run();
   ASSERT_THAT(refused.written, SizeIs(2));
   EXPECT_EQ(refused.written[1].at - refused.written[0].at, milliseconds(1));
 }
 
-TEST(Pacing, IsKeptAfterAResponseToAnEarlierFrame) {
-  Simulation line;
+TEST_F(Pacing, IsKeptAfterAResponseToAnEarlierFrame) {
   line.board = [&](const Written& frame) {
     if (frame.id == 73) line.say(frame.id, body_of(18), milliseconds(11));
   };
-  line.send(sbgc::msg::GetAnglesRequest{});
-  line.send(sbgc::msg::BeepSound{});
-  line.send(sbgc::msg::BeepSound{});
+  line.send(msg::GetAnglesRequest{});
+  line.send(msg::BeepSound{});
+  line.send(msg::BeepSound{});
   line.run();
-  ASSERT_THAT(simulation::ids(line.written), ::testing::ElementsAre(73, 89, 89));
+  ASSERT_THAT(ids(line.written), ElementsAre(73, 89, 89));
   // The response arrives between the second frame and the third.
-  EXPECT_LT(line.written[1].at - line.written[0].at, milliseconds(11));
-  EXPECT_GE(line.written[2].at - line.written[1].at, milliseconds(10));
+  EXPECT_LT(gap(1), milliseconds(11));
+  EXPECT_GE(gap(2), milliseconds(10));
 }
 
-TEST(Pacing, IsKeptAfterAResponseToAResentFrame) {
-  Simulation line;
+TEST_F(Pacing, IsKeptAfterAResponseToAResentFrame) {
   int left = 1;
   line.board = [&](const Written& frame) {
     if (frame.id != 73 || left-- > 0) return;
     line.say(frame.id, body_of(18), milliseconds(1));  // to which of the two?
   };
-  line.send(sbgc::msg::GetAnglesRequest{});
-  line.on_event = [&](const simulation::Record& record) {
+  line.send(msg::GetAnglesRequest{});
+  line.on_event = [&](const Record& record) {
     if (record.event.kind == EventKind::completed && record.event.command == 73) {
-      line.send(sbgc::msg::BeepSound{});
+      line.send(msg::BeepSound{});
     }
   };
   line.run();
-  ASSERT_THAT(simulation::ids(line.written), ::testing::ElementsAre(73, 73, 89));
-  EXPECT_GE(line.written[2].at - line.written[1].at, milliseconds(10));
+  ASSERT_THAT(ids(line.written), ElementsAre(73, 73, 89));
+  EXPECT_GE(gap(2), milliseconds(10));
 }
 
-TEST(Pacing, CanLastLongerThanTheResponse) {
-  sbgc::SessionOptions options;
+TEST(PacingRules, CanLastLongerThanTheResponse) {
+  SessionOptions options;
   options.pacing.until_response = false;
   Simulation line(options);
   line.board = [&](const Written& frame) { line.say(frame.id, body_of(18), milliseconds(2)); };
-  line.send(sbgc::msg::GetAnglesRequest{});
-  line.send(sbgc::msg::GetAnglesRequest{});
+  line.send(msg::GetAnglesRequest{});
+  line.send(msg::GetAnglesRequest{});
   line.run();
   ASSERT_THAT(line.written, SizeIs(2));
   EXPECT_GE(line.written[1].at - line.written[0].at, milliseconds(10));
 }
 
-TEST(Pacing, EndsBeforeTheWriteIsReported) {
-  sbgc::Session session;
-  std::array<std::uint8_t, sbgc::max_frame_size> answer{};
-  const std::size_t size = sbgc::write_frame(73, body_of(18), answer).size;
-  const auto ignore = [](const sbgc::Event&) {};
-  ASSERT_TRUE(session.send(sbgc::msg::GetAnglesRequest{}));
-  sbgc::Instant now = simulation::start;
+TEST(PacingRules, EndsBeforeTheWriteIsReported) {
+  Session session;
+  std::array<std::uint8_t, max_frame_size> answer{};
+  const std::size_t size = write_frame(73, body_of(18), answer).size;
+  const auto ignore = [](const Event&) {};
+  ASSERT_TRUE(session.send(msg::GetAnglesRequest{}));
+  Instant now = start_time;
   ASSERT_FALSE(session.poll(now, ignore).bytes.empty());
   now = now + milliseconds(2);
   session.feed(std::span(answer).first(size), now, ignore);
   session.written(now);
-  ASSERT_TRUE(session.send(sbgc::msg::GetAnglesRequest{}));
+  ASSERT_TRUE(session.send(msg::GetAnglesRequest{}));
   EXPECT_FALSE(session.poll(now, ignore).bytes.empty());
-}
-
-TEST(Pacing, HoldsForEveryPairOfFramesWithoutResponse) {
-  Simulation line;
-  line.board = [&](const Written& frame) { line.confirm(frame.id, milliseconds(1)); };
-  int left = 50;
-  line.on_event = [&](const simulation::Record& record) {
-    if (record.event.kind == EventKind::completed && left-- > 0) line.send(sbgc::msg::Control{});
-  };
-  line.send(sbgc::msg::Control{});
-  line.send(sbgc::msg::BeepSound{});
-  line.run();
-  ASSERT_GT(line.written.size(), 50U);
-  for (std::size_t i = 1; i < line.written.size(); ++i) {
-    EXPECT_GE(line.written[i].at - line.written[i - 1].at, milliseconds(10));
-  }
 }
 
 /// Returns the time after which a request ends if no response comes.
 template <class M>
 Duration until_timeout(const M& request, Simulation& line) {
   const Handle handle = line.send(request, {.attempts = 1});
-  const sbgc::Instant sent = line.now;
+  const Instant sent = line.now;
   line.run();
   EXPECT_EQ(line.outcome(handle), Outcome::timeout);
   return line.completion(handle)->at - sent;
@@ -195,59 +156,48 @@ Duration until_timeout(const M& request, Simulation& line) {
 
 TEST(Timeout, CountsFromTheEndOfWhatIsOnTheLine) {
   for (const std::uint32_t rate : {9600U, 300U}) {
-    sbgc::SessionOptions options;
+    SessionOptions options;
     options.line = {rate, Parity::none};
-    const auto on_line = [&](std::size_t size) { return sbgc::wire_time(options.line, size); };
+    const auto on_line = [&](std::size_t size) { return wire_time(options.line, size); };
     Simulation line(options);
-    EXPECT_EQ(until_timeout(sbgc::msg::ReadParams3Request{}, line),
+    EXPECT_EQ(until_timeout(msg::ReadParams3Request{}, line),
               on_line(6) + on_line(139) + milliseconds(500));
-    EXPECT_EQ(
-        until_timeout(sbgc::msg::MotorsOn{}, line),
-        on_line(5) + on_line(sbgc::frame_size(sbgc::roles::confirmation_size)) + milliseconds(500));
+    EXPECT_EQ(until_timeout(msg::MotorsOn{}, line),
+              on_line(5) + on_line(frame_size(roles::confirmation_size)) + milliseconds(500));
   }
 }
 
 TEST(Timeout, AResponseWithoutBodyTakesOnlyItsFrame) {
-  sbgc::SessionOptions options;
+  SessionOptions options;
   options.line = {9600, Parity::none};
   Simulation line(options);
-  sbgc::msg::ResetRequestExt request;
-  request.confirm = sbgc::msg::ResetOption::notify;
-  EXPECT_EQ(until_timeout(request, line), sbgc::wire_time(options.line, sbgc::frame_size(3)) +
-                                              sbgc::wire_time(options.line, sbgc::frame_size(0)) +
+  msg::ResetRequestExt request{.confirm = msg::ResetOption::notify};
+  EXPECT_EQ(until_timeout(request, line), wire_time(options.line, frame_size(3)) +
+                                              wire_time(options.line, frame_size(0)) +
                                               milliseconds(500));
 }
 
-TEST(Timeout, FollowsTheLine) {
-  Simulation line;
-  EXPECT_EQ(until_timeout(sbgc::msg::MotorsOn{}, line), milliseconds(500));
-  const sbgc::LineSettings slow{9600, Parity::none};
+TEST_F(Timeouts, FollowsTheLine) {
+  EXPECT_EQ(until_timeout(msg::MotorsOn{}, line), milliseconds(500));
+  const LineSettings slow{9600, Parity::none};
   line.session.set_line(slow);
   EXPECT_EQ(line.session.stream_usage().limit, 768U);  // 80 % of 960
-  EXPECT_EQ(until_timeout(sbgc::msg::ReadParams3Request{}, line),
-            sbgc::wire_time(slow, 6) + sbgc::wire_time(slow, 139) + milliseconds(500));
+  EXPECT_EQ(until_timeout(msg::ReadParams3Request{}, line),
+            wire_time(slow, 6) + wire_time(slow, 139) + milliseconds(500));
 }
 
 // Data streams
 
-sbgc::msg::DataStreamInterval stream_of(sbgc::msg::CommandFromBoard command,
-                                        std::uint16_t interval) {
-  sbgc::msg::DataStreamInterval request;
-  request.cmd_id = command;
-  request.interval_ms = sbgc::msg::Milliseconds(interval);
-  return request;
-}
+using Of = msg::CommandFromBoard;
 
-sbgc::msg::DataStreamInterval custom_stream(sbgc::msg::RealtimeDataCustomFlags flags,
-                                            std::uint16_t interval) {
-  sbgc::msg::DataStreamInterval request =
-      stream_of(sbgc::msg::CommandFromBoard::realtime_data_custom, interval);
+msg::DataStreamInterval custom_stream(msg::RealtimeDataCustomFlags flags, std::uint16_t interval) {
+  msg::DataStreamInterval request = stream_of(Of::realtime_data_custom, interval);
   request.config.flags = flags;
   return request;
 }
 
-sbgc::SessionOptions at(std::uint32_t baud_rate) {
-  sbgc::SessionOptions options;
+SessionOptions at(std::uint32_t baud_rate) {
+  SessionOptions options;
   options.line = {baud_rate, Parity::none};
   return options;
 }
@@ -256,31 +206,30 @@ TEST(Streams, TakeTheirShareOfTheLineOnceTheyAreConfirmed) {
   Simulation line(at(115200));
   line.board = [&](const Written& frame) { line.confirm(frame.id); };
   EXPECT_EQ(line.session.stream_usage().limit, 9216U);  // 80 % of 11520
-  line.send(stream_of(sbgc::msg::CommandFromBoard::realtime_data_4, 20));
+  line.send(stream_of(Of::realtime_data_4, 20));
   EXPECT_EQ(line.session.stream_usage().used, 6450U) << "129 bytes, 50 times a second";
   line.run();
   EXPECT_EQ(line.session.stream_usage().used, 6450U);
-  line.send(stream_of(sbgc::msg::CommandFromBoard::realtime_data_4, 100));
+  line.send(stream_of(Of::realtime_data_4, 100));
   EXPECT_EQ(line.session.stream_usage().used, 6450U) << "until it is confirmed";
   line.run();
   EXPECT_EQ(line.session.stream_usage().used, 1290U);
-  line.send(stream_of(sbgc::msg::CommandFromBoard::realtime_data_4, 0));
+  line.send(stream_of(Of::realtime_data_4, 0));
   line.run();
   EXPECT_EQ(line.session.stream_usage().used, 0U);
 }
 
 TEST(Streams, OfASampleInEachCycle) {
   Simulation line(at(0));
-  line.send(stream_of(sbgc::msg::CommandFromBoard::realtime_data_3, 1));
+  line.send(stream_of(Of::realtime_data_3, 1));
   EXPECT_EQ(line.session.stream_usage().used, 85000U) << "68 bytes every 0.8 ms";
   EXPECT_EQ(line.session.stream_usage().limit, 0U);
 }
 
 TEST(Streams, HaveTheSizeThatTheirConfigurationGivesThem) {
   Simulation line(at(115200));
-  const auto flags =
-      sbgc::msg::RealtimeDataCustomFlags{sbgc::msg::RealtimeDataCustomFlag::imu_angles} |
-      sbgc::msg::RealtimeDataCustomFlag::rc_channels;
+  const auto flags = msg::RealtimeDataCustomFlags{msg::RealtimeDataCustomFlag::imu_angles} |
+                     msg::RealtimeDataCustomFlag::rc_channels;
   line.send(custom_stream(flags, 100));
   EXPECT_EQ(line.session.stream_usage().used, 490U) << "5 + 2 + 6 + 36 bytes, 10 times a second";
 }
@@ -288,21 +237,18 @@ TEST(Streams, HaveTheSizeThatTheirConfigurationGivesThem) {
 TEST(Streams, BeyondTheBudgetAreRefused) {
   Simulation line(at(9600));  // 960 bytes/s, 768 for streams
   line.board = [&](const Written& frame) { line.confirm(frame.id); };
-  EXPECT_TRUE(
-      line.session.send(stream_of(sbgc::msg::CommandFromBoard::realtime_data_3, 100)));  // 680
-  EXPECT_EQ(line.session.send(stream_of(sbgc::msg::CommandFromBoard::ahrs_helper, 100)).status,
-            SendStatus::not_encodable)
+  EXPECT_TRUE(line.session.send(stream_of(Of::realtime_data_3, 100)));  // 680
+  EXPECT_EQ(line.session.send(stream_of(Of::ahrs_helper, 100)).status, SendStatus::not_encodable)
       << "the IMU is missing";
-  EXPECT_EQ(line.session.send(stream_of(sbgc::msg::CommandFromBoard::realtime_data_4, 1000)).status,
+  EXPECT_EQ(line.session.send(stream_of(Of::realtime_data_4, 1000)).status,
             SendStatus::over_budget);  // 129 more
-  EXPECT_TRUE(line.session.send(stream_of(sbgc::msg::CommandFromBoard::realtime_data_4, 2000)));
+  EXPECT_TRUE(line.session.send(stream_of(Of::realtime_data_4, 2000)));
   EXPECT_EQ(line.session.stream_usage().used, 745U);
   line.run();
-  EXPECT_TRUE(line.session.send(stream_of(sbgc::msg::CommandFromBoard::realtime_data_4, 100),
-                                {.ignore_budget = true}));
+  EXPECT_TRUE(line.session.send(stream_of(Of::realtime_data_4, 100), {.ignore_budget = true}));
   line.run();
   EXPECT_GT(line.session.stream_usage().used, line.session.stream_usage().limit);
-  EXPECT_TRUE(line.session.send(stream_of(sbgc::msg::CommandFromBoard::realtime_data_4, 200)))
+  EXPECT_TRUE(line.session.send(stream_of(Of::realtime_data_4, 200)))
       << "less than before always fits";
   EXPECT_EQ(line.session.statistics().refused, 2U);
 }
@@ -313,47 +259,44 @@ TEST(Streams, ThatTheBoardDoesNotStartTakeNothing) {
     line.board = [&](const Written& frame) {
       if (refuses) line.say(255, {frame.id, 1, 0, 0, 0, 0});
     };
-    const Handle handle = line.send(stream_of(sbgc::msg::CommandFromBoard::realtime_data_3, 100));
-    line.run();
-    EXPECT_EQ(line.outcome(handle), refuses ? Outcome::board_error : Outcome::timeout);
+    EXPECT_EQ(line.ask(stream_of(Of::realtime_data_3, 100)),
+              refuses ? Outcome::board_error : Outcome::timeout);
     EXPECT_EQ(line.session.stream_usage().used, 0U);
   }
 }
 
-TEST(Streams, AreLimitedInNumber) {
-  Simulation line;
-  line.board = [&](const Written& frame) { line.confirm(frame.id); };
+TEST_F(StreamBudget, AreLimitedInNumber) {
+  confirm_all();
   for (std::uint32_t i = 0; i < 10; ++i) {
-    EXPECT_TRUE(line.session.send(custom_stream(sbgc::msg::RealtimeDataCustomFlags(i), 100))) << i;
+    EXPECT_TRUE(line.session.send(custom_stream(msg::RealtimeDataCustomFlags(i), 100))) << i;
     line.run();
   }
-  EXPECT_EQ(line.session.send(custom_stream(sbgc::msg::RealtimeDataCustomFlags(10), 100)).status,
+  EXPECT_EQ(line.session.send(custom_stream(msg::RealtimeDataCustomFlags(10), 100)).status,
             SendStatus::too_many_streams);
-  EXPECT_TRUE(line.session.send(custom_stream(sbgc::msg::RealtimeDataCustomFlags(3), 0)));
+  EXPECT_TRUE(line.session.send(custom_stream(msg::RealtimeDataCustomFlags(3), 0)));
   line.run();
-  EXPECT_TRUE(line.session.send(custom_stream(sbgc::msg::RealtimeDataCustomFlags(10), 100)));
+  EXPECT_TRUE(line.session.send(custom_stream(msg::RealtimeDataCustomFlags(10), 100)));
 }
 
 TEST(Streams, AreForgottenWhenTheBoardRestarts) {
   Simulation line(at(115200));
   line.board = [&](const Written& frame) { line.confirm(frame.id); };
-  line.send(stream_of(sbgc::msg::CommandFromBoard::realtime_data_3, 100));
+  line.send(stream_of(Of::realtime_data_3, 100));
   line.run();
   line.say(114, {});
   line.run();
   EXPECT_EQ(line.session.stream_usage().used, 0U);
-  line.send(stream_of(sbgc::msg::CommandFromBoard::realtime_data_3, 100));
+  line.send(stream_of(Of::realtime_data_3, 100));
   line.run();
   EXPECT_NE(line.session.stream_usage().used, 0U);
-  line.send(sbgc::msg::ResetRequest{});  // without notice
+  line.send(msg::ResetRequest{});  // without notice
   line.run();
   EXPECT_EQ(line.session.stream_usage().used, 0U);
 }
 
-TEST(Streams, SamplesAreTold) {
-  Simulation line;
-  line.board = [&](const Written& frame) { line.confirm(frame.id); };
-  line.send(stream_of(sbgc::msg::CommandFromBoard::realtime_data_3, 100));
+TEST_F(StreamBudget, SamplesAreTold) {
+  confirm_all();
+  line.send(stream_of(Of::realtime_data_3, 100));
   line.run();
   line.say(23, body_of(63));
   line.say(25, body_of(124));
@@ -367,13 +310,13 @@ TEST(Streams, SamplesAreTold) {
 /// request.
 class Sampled : public ::testing::Test {
  protected:
-  using Flag = sbgc::msg::RealtimeDataCustomFlag;
+  using Flag = msg::RealtimeDataCustomFlag;
   static constexpr std::uint8_t custom = 88;
 
   /// Starts the stream, of which `count` samples arrive.
   void start(std::uint16_t interval, int count, std::size_t size = 8) {
     line.board = [&](const Written& frame) { line.confirm(frame.id); };
-    line.send(custom_stream(sbgc::msg::RealtimeDataCustomFlags{Flag::imu_angles}, interval));
+    line.send(custom_stream(msg::RealtimeDataCustomFlags{Flag::imu_angles}, interval));
     line.run_for(milliseconds(3));
     line.board = [](const Written&) {};
     line.written.clear();
@@ -382,7 +325,7 @@ class Sampled : public ::testing::Test {
     }
   }
   Handle ask(Flag what, std::uint16_t host = 0) {
-    sbgc::msg::RealtimeDataCustomRequest request;
+    msg::RealtimeDataCustomRequest request;
     request.flags.set(what);
     return line.send(request, {.host = host, .attempts = 1});
   }
@@ -417,7 +360,7 @@ TEST_F(Sampled, AStreamThatIsSlowOrSilentAnswersNothing) {
     start(interval, interval == 2000 ? 2 : 0);
     line.board = [&](const Written&) { line.say(custom, body_of(8, {9})); };
     const Handle handle = ask(Flag::imu_angles);
-    line.run_for(sbgc::seconds(3));
+    line.run_for(seconds(3));
     EXPECT_THAT(line.written, SizeIs(1));
     ASSERT_EQ(line.outcome(handle), Outcome::answered);
     EXPECT_EQ(line.completion(handle)->body, body_of(8, {9}));
@@ -432,7 +375,7 @@ TEST_F(Sampled, OtherContentIsAskedForAfterASample) {
   const Handle handle = ask(Flag::acc_data);
   line.run_for(milliseconds(60));
   ASSERT_THAT(line.written, SizeIs(1));
-  EXPECT_EQ((line.written[0].at - simulation::start).us % 20'000, 3000) << "right after a sample";
+  EXPECT_EQ((line.written[0].at - start_time).us % 20'000, 3000) << "right after a sample";
   ASSERT_EQ(line.outcome(handle), Outcome::answered);
   EXPECT_EQ(line.completion(handle)->body, body_of(8, {99}));
   EXPECT_EQ(line.completion(handle)->event.sample, Sample::no);
@@ -497,18 +440,17 @@ TEST_F(Sampled, TheFirstSampleSaysItsSize) {
   EXPECT_EQ(std::ranges::count(samples(), Sample::yes), 10);
 }
 
-TEST(Streams, ASampleOfAnotherSizeIsNoAnswer) {
-  Simulation line;
-  line.board = [&](const Written& frame) { line.confirm(frame.id); };
-  line.send(custom_stream(
-      sbgc::msg::RealtimeDataCustomFlags{sbgc::msg::RealtimeDataCustomFlag::rc_channels}, 100));
+TEST_F(StreamBudget, ASampleOfAnotherSizeIsNoAnswer) {
+  confirm_all();
+  line.send(
+      custom_stream(msg::RealtimeDataCustomFlags{msg::RealtimeDataCustomFlag::rc_channels}, 100));
   line.run();
   line.board = [&](const Written&) {
     line.say(88, body_of(38), milliseconds(1));  // a sample
     line.say(88, body_of(8), milliseconds(2));
   };
-  sbgc::msg::RealtimeDataCustomRequest request;
-  request.flags.set(sbgc::msg::RealtimeDataCustomFlag::imu_angles);
+  msg::RealtimeDataCustomRequest request;
+  request.flags.set(msg::RealtimeDataCustomFlag::imu_angles);
   const Handle handle = line.send(request);
   line.run();
   ASSERT_EQ(line.outcome(handle), Outcome::answered);
@@ -516,3 +458,4 @@ TEST(Streams, ASampleOfAnotherSizeIsNoAnswer) {
 }
 
 }  // namespace
+}  // namespace sbgc::test

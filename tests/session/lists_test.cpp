@@ -1,24 +1,17 @@
 // Tests of the lists of a session, alone: what has been removed from one has no effect, and nothing
 // after its end is touched.
 
-#include <array>
-#include <cstdint>
-#include <optional>
-
-#include <gtest/gtest.h>
-
 #include <sbgc/session/late_replies.hpp>
 #include <sbgc/session/streams.hpp>
 
+#include "simulation.hpp"
+
+namespace sbgc::test {
 namespace {
 
-using sbgc::Handle;
-using sbgc::Responses;
-using sbgc::SendStatus;
-using sbgc::StreamChange;
-using sbgc::detail::LateReplies;
-using sbgc::detail::LateRequest;
-using sbgc::detail::Streams;
+using detail::LateReplies;
+using detail::LateRequest;
+using detail::Streams;
 
 constexpr auto any = [](const Responses&) { return true; };
 constexpr auto any_request = [](const LateRequest&) { return true; };
@@ -100,19 +93,20 @@ TEST(LateReplies, AFullListEndsAtItsLastEntry) {
 TEST(Streams, AStoppedOneIsUnknown) {
   StreamChange change{.command = 25, .size = 68, .interval_us = 10'000};
   const std::array<std::uint8_t, 68> body{};
-  const sbgc::Frame sample{25, body, 0};
+  const Frame sample{25, body, 0};
   Streams<2> streams;
   ASSERT_EQ(streams.check(change, 0), SendStatus::ok);
   ASSERT_TRUE(streams.ask(change));
   streams.settle(change, true);
   EXPECT_TRUE(streams.has(25));
-  EXPECT_EQ(streams.take(sample), sbgc::Sample::yes);
+  EXPECT_EQ(streams.take(sample), Sample::yes);
   change.interval_us = 0;
   ASSERT_TRUE(streams.ask(change));
   streams.settle(change, true);
   EXPECT_FALSE(streams.has(25));
-  EXPECT_EQ(streams.take(sample), sbgc::Sample::no);
+  EXPECT_EQ(streams.take(sample), Sample::no);
   EXPECT_EQ(streams.used(), 0U);
 }
 
 }  // namespace
+}  // namespace sbgc::test

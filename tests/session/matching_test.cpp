@@ -1,51 +1,18 @@
 // Tests of matching responses, confirmations, errors and resets with requests.
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <sbgc/responses/all.hpp>
-#include <sbgc/session.hpp>
-
-#include "commands.hpp"
 #include "simulation.hpp"
 
+namespace sbgc::test {
 namespace {
 
-using commands::board_info;
-using commands::confirm;
-using commands::control;
-using commands::eeprom_write;
-using commands::error;
-using commands::i2c_read;
-using commands::motors_on;
-using commands::read_file;
-using commands::read_params_3;
-using commands::realtime_data_4;
-using commands::realtime_data_custom;
-using commands::reset;
-using commands::stream_interval;
-using commands::write_file;
-using commands::write_params_3;
-using sbgc::EventKind;
-using sbgc::Handle;
-using sbgc::milliseconds;
-using sbgc::Outcome;
-using simulation::body_of;
-using simulation::ids;
-using simulation::Record;
-using simulation::Simulation;
-using simulation::Written;
-using ::testing::ElementsAre;
-using ::testing::SizeIs;
+using Matching = LineTest;
 
-sbgc::msg::ReadParams3Request read_profile(std::uint8_t profile) {
-  sbgc::msg::ReadParams3Request request;
-  request.profile_id = profile;
+msg::ReadParams3Request read_profile(std::uint8_t profile) {
+  msg::ReadParams3Request request{.profile_id = profile};
   return request;
 }
 
-TEST(Session, RequestsThatAnswersTellApartAreInFlightTogether) {
-  Simulation line;
+TEST_F(Matching, RequestsThatAnswersTellApartAreInFlightTogether) {
   line.board = [&](const Written& frame) {  // responses in reverse order
     const int delay = 300 - 50 * frame.body[0];
     line.say(read_params_3, body_of(134, {frame.body[0]}), milliseconds(delay));
@@ -63,16 +30,7 @@ TEST(Session, RequestsThatAnswersTellApartAreInFlightTogether) {
   }
 }
 
-TEST(Session, ASpecialValueIsNotRepeatedByTheAnswer) {
-  Simulation line;
-  line.board = [&](const Written&) { line.say(read_params_3, body_of(134, {2})); };
-  const Handle handle = line.send(read_profile(255));  // the active profile, which is 2
-  line.run();
-  EXPECT_EQ(line.outcome(handle), Outcome::answered);
-}
-
-TEST(Session, AWrongAnswerIsNone) {
-  Simulation line;
+TEST_F(Matching, AWrongAnswerIsNone) {
   line.board = [&](const Written&) {
     line.say(read_params_3, body_of(134, {4}), milliseconds(3));    // another profile
     line.say(realtime_data_4, body_of(124, {1}), milliseconds(7));  // another message
@@ -87,15 +45,15 @@ TEST(Session, AWrongAnswerIsNone) {
 }
 
 // Live data of 35 and of 8 bytes.
-sbgc::msg::RealtimeDataCustomRequest read_encoders() {
-  using Flag = sbgc::msg::RealtimeDataCustomFlag;
+msg::RealtimeDataCustomRequest read_encoders() {
+  using Flag = msg::RealtimeDataCustomFlag;
   return {.flags = Flag::imu_angles | Flag::target_angles | Flag::rc_data | Flag::encoder_raw24};
 }
-sbgc::msg::RealtimeDataCustomRequest read_angles() {
-  return {.flags = sbgc::msg::RealtimeDataCustomFlag::imu_angles};
+msg::RealtimeDataCustomRequest read_angles() {
+  return {.flags = msg::RealtimeDataCustomFlag::imu_angles};
 }
 
-TEST(Session, ABodyOfAWrongSizeAnswers) {
+TEST(Sessions, ABodyOfAWrongSizeAnswers) {
   for (const std::size_t size : {0U, 26U}) {
     Simulation line;
     line.board = [&](const Written&) { line.say(realtime_data_custom, body_of(size)); };
@@ -111,8 +69,7 @@ TEST(Session, ABodyOfAWrongSizeAnswers) {
   }
 }
 
-TEST(Session, ALateBodyOfAWrongSizeIsLate) {
-  Simulation line;
+TEST_F(Matching, ALateBodyOfAWrongSizeIsLate) {
   line.board = [&](const Written& frame) {
     const bool is_first = line.written.size() == 1;
     line.say(realtime_data_custom, is_first ? body_of(26) : body_of(frame.body[0] == 1 ? 8 : 26),
@@ -128,38 +85,33 @@ TEST(Session, ALateBodyOfAWrongSizeIsLate) {
   EXPECT_EQ(line.session.statistics().late_replies, 1U);
 }
 
-TEST(Session, ABodyOfTheRightSizeIsMeantForWhatHasIt) {
-  Simulation line;
+TEST_F(Matching, ABodyOfTheRightSizeIsMeantForWhatHasIt) {
   line.board = [&](const Written& frame) {
     if (frame.body[0] == 1) line.say(realtime_data_custom, body_of(8), milliseconds(3));
   };
   const Handle silent = line.send(read_encoders(), {.attempts = 1});
-  const Handle angles = line.send(read_angles());
-  line.run();
-  EXPECT_EQ(line.outcome(angles), Outcome::answered);
+  EXPECT_EQ(line.ask(read_angles()), Outcome::answered);
   EXPECT_EQ(line.outcome(silent), Outcome::timeout);
 }
 
-TEST(Session, RequestsThatCouldBeConfusedWaitAndOthersOvertake) {
-  Simulation line;
+TEST_F(Matching, RequestsThatCouldBeConfusedWaitAndOthersOvertake) {
   line.board = [&](const Written& frame) {
     line.say(frame.id, body_of(frame.id == board_info ? 18 : 4), milliseconds(100));
   };
-  line.send(sbgc::msg::I2cReadRegBufRequest{.reg_addr = 1});
-  const Handle second = line.send(sbgc::msg::I2cReadRegBufRequest{.reg_addr = 2});
-  line.send(sbgc::msg::BoardInfoRequest{});
+  line.send(msg::I2cReadRegBufRequest{.reg_addr = 1});
+  const Handle second = line.send(msg::I2cReadRegBufRequest{.reg_addr = 2});
+  line.send(msg::BoardInfoRequest{});
   line.run();
   EXPECT_THAT(ids(line.written), ElementsAre(i2c_read, board_info, i2c_read));
   EXPECT_GE(line.written[2].at - line.written[0].at, milliseconds(100));
   EXPECT_EQ(line.outcome(second), Outcome::answered);
 }
 
-TEST(Session, RequestsOfOneHostDoNotWaitForEachOther) {
-  Simulation line;
-  const Handle first = line.send(sbgc::msg::BoardInfoRequest{}, {.host = 1});
-  const Handle second = line.send(sbgc::msg::BoardInfoRequest{}, {.host = 1});
-  line.send(sbgc::msg::BoardInfoRequest{}, {.host = 2});
-  line.send(sbgc::msg::GetAnglesRequest{}, {.host = 2});
+TEST_F(Matching, RequestsOfOneHostDoNotWaitForEachOther) {
+  const Handle first = line.send(msg::BoardInfoRequest{}, {.host = 1});
+  const Handle second = line.send(msg::BoardInfoRequest{}, {.host = 1});
+  line.send(msg::BoardInfoRequest{}, {.host = 2});
+  line.send(msg::GetAnglesRequest{}, {.host = 2});
   line.run_for(milliseconds(100));
   EXPECT_THAT(ids(line.written), ElementsAre(board_info, board_info))
       << "a host does not overtake itself";
@@ -172,22 +124,21 @@ TEST(Session, RequestsOfOneHostDoNotWaitForEachOther) {
   EXPECT_THAT(line.written, SizeIs(4));
 }
 
-TEST(Session, AnErrorWhileACalibrationRunsIsThatOfAnother) {
-  Simulation line;
-  const Handle running = line.send(sbgc::msg::CalibPoles{});
+TEST_F(Matching, AnErrorWhileACalibrationRunsIsThatOfAnother) {
+  const Handle running = line.send(msg::CalibPoles{});
   line.run_for(milliseconds(100));
   line.board = [&](const Written& frame) { line.say(error, {frame.id, 7, 0, 0, 0, 0}); };
-  const Handle refused = line.send(sbgc::msg::CalibPoles{});
+  const Handle refused = line.send(msg::CalibPoles{});
   line.run_for(milliseconds(100));
   EXPECT_EQ(line.outcome(refused), Outcome::board_error);
-  line.confirm(static_cast<std::uint8_t>(sbgc::msg::CalibPoles::command));
+  line.confirm(static_cast<std::uint8_t>(msg::CalibPoles::command));
   line.run_for(milliseconds(100));
   EXPECT_EQ(line.outcome(running), Outcome::confirmed);
 }
 
-TEST(Session, AnErrorWhileAModuleIsLoadedIsThatOfTheFirstPart) {
-  Simulation line;  // whose board works on one part after the other, each for up to 5 s
-  sbgc::msg::ModuleFlashWrite part;
+TEST_F(Matching, AnErrorWhileAModuleIsLoadedIsThatOfTheFirstPart) {
+  // whose board works on one part after the other, each for up to 5 s
+  msg::ModuleFlashWrite part;
   ASSERT_TRUE(part.data.resize(4));
   const Handle first = line.send(part);
   line.run_for(milliseconds(100));
@@ -198,30 +149,29 @@ TEST(Session, AnErrorWhileAModuleIsLoadedIsThatOfTheFirstPart) {
   EXPECT_EQ(line.outcome(second), Outcome::none);
 }
 
-TEST(Session, NoRequestOvertakesOneThatItCouldBeConfusedWith) {
-  Simulation line;
+TEST_F(Matching, NoRequestOvertakesOneThatItCouldBeConfusedWith) {
   line.board = [&](const Written& frame) {
     const std::uint8_t profile = frame.body[0] == 255 ? 3 : frame.body[0];
     line.say(read_params_3, body_of(134, {profile}), milliseconds(100));
   };
   line.send(read_profile(1));
-  line.send(read_profile(255));  // the active profile, which waits because it may be 1
+  const Handle active = line.send(read_profile(255));  // waits because it may be 1
   line.send(read_profile(2));
   line.run();
   ASSERT_THAT(line.written, SizeIs(3));
   EXPECT_EQ(line.written[1].body[0], 255);
   EXPECT_EQ(line.written[2].body[0], 2);
+  EXPECT_EQ(line.outcome(active), Outcome::answered) << "by profile 3";
 }
 
-TEST(Session, ReadsOfFilesFollowEachOtherBecauseOfTheirErrors) {
-  Simulation line;
+TEST_F(Matching, ReadsOfFilesFollowEachOtherBecauseOfTheirErrors) {
   line.board = [&](const Written& frame) {
     const bool is_good = frame.body[2] == 0;
     line.say(read_file, is_good ? body_of(20, {9, 0, 0, 0}) : body_of(1, {2}));
   };
-  sbgc::msg::ReadFileRequest request;
+  msg::ReadFileRequest request;
   const Handle good = line.send(request);
-  request.page_offset = sbgc::msg::Pages(1);
+  request.page_offset = msg::Pages(1);
   const Handle bad = line.send(request);
   line.run();
   EXPECT_EQ(line.outcome(good), Outcome::answered);
@@ -229,57 +179,38 @@ TEST(Session, ReadsOfFilesFollowEachOtherBecauseOfTheirErrors) {
   EXPECT_EQ(line.completion(bad)->body, body_of(1, {2}));
 }
 
-TEST(Session, AConfirmationWithTheAddressOfAnotherBlockIsNotMeant) {
-  Simulation line;
+TEST_F(Matching, AConfirmationWithTheAddressOfAnotherBlockIsNotMeant) {
   line.board = [&](const Written&) {
     line.say(confirm, {eeprom_write, 64, 0, 0, 0}, milliseconds(3));
     line.say(confirm, {eeprom_write, 128, 0, 0, 0}, milliseconds(50));
   };
-  sbgc::msg::EepromWrite request;
-  request.addr = 128;
+  msg::EepromWrite request{.addr = 128};
   const Handle handle = line.send(request);
   line.run_for(milliseconds(10));
   EXPECT_EQ(line.outcome(handle), Outcome::none);
   line.run();
   EXPECT_EQ(line.outcome(handle), Outcome::confirmed);
   // Boards may omit the address.
-  line.board = [&](const Written& frame) { line.confirm(frame.id); };
-  const Handle bare = line.send(request);
-  line.run();
-  EXPECT_EQ(line.outcome(bare), Outcome::confirmed);
+  confirm_all();
+  EXPECT_EQ(line.ask(request), Outcome::confirmed);
 }
 
-TEST(Session, AConfirmationCanTellOfAFailure) {
+TEST(Sessions, AConfirmationCanTellOfAFailure) {
   for (const int result : {0, 4}) {
     Simulation line;
     line.board = [&](const Written& frame) {
       line.say(confirm, {frame.id, static_cast<std::uint8_t>(result)});
     };
-    const Handle handle = line.send(sbgc::msg::WriteFile{});
+    const Handle handle = line.send(msg::WriteFile{});
     line.run();
     EXPECT_EQ(line.outcome(handle), result == 0 ? Outcome::confirmed : Outcome::failed);
     EXPECT_EQ(line.completion(handle)->event.command, write_file);
   }
 }
 
-TEST(Session, WhatIsAskedForDependsOnTheRequest) {
-  Simulation line;
-  line.board = [&](const Written& frame) {
-    if ((frame.body[0] & 1) == 0) line.say(56, body_of(24));
-  };
-  sbgc::msg::AhrsHelperRequestExt request;
-  const Handle get = line.send(request);
-  request.mode.set(sbgc::msg::AhrsHelperModeBit::set);
-  const Handle set = line.send(request);
-  line.run();
-  EXPECT_EQ(line.outcome(get), Outcome::answered);
-  EXPECT_EQ(line.outcome(set), Outcome::sent);
-}
-
 // Errors
 
-TEST(Session, AnErrorThatNamesItsCommandEndsTheRequest) {
-  Simulation line;
+TEST_F(Matching, AnErrorThatNamesItsCommandEndsTheRequest) {
   line.board = [&](const Written& frame) {
     if (frame.id == motors_on) {
       line.say(error, {motors_on, 7, 0, 0, 0, 0});
@@ -287,8 +218,8 @@ TEST(Session, AnErrorThatNamesItsCommandEndsTheRequest) {
       line.say(board_info, body_of(18), milliseconds(100));
     }
   };
-  const Handle motors = line.send(sbgc::msg::MotorsOn{});
-  const Handle info = line.send(sbgc::msg::BoardInfoRequest{});
+  const Handle motors = line.send(msg::MotorsOn{});
+  const Handle info = line.send(msg::BoardInfoRequest{});
   line.run();
   ASSERT_EQ(line.outcome(motors), Outcome::board_error);
   EXPECT_EQ(line.completion(motors)->body[1], 7);
@@ -296,30 +227,26 @@ TEST(Session, AnErrorThatNamesItsCommandEndsTheRequest) {
   EXPECT_THAT(line.of(EventKind::board_error), SizeIs(0));
 }
 
-TEST(Session, AnErrorWithoutCommandBelongsToTheOnlyRequest) {
-  Simulation line;
+TEST_F(Matching, AnErrorWithoutCommandBelongsToTheOnlyRequest) {
   line.board = [&](const Written&) { line.say(error, {7, 0, 0, 0, 0}, milliseconds(50)); };
-  const Handle only = line.send(sbgc::msg::MotorsOn{});
-  line.run();
-  EXPECT_EQ(line.outcome(only), Outcome::board_error);
+  EXPECT_EQ(line.ask(msg::MotorsOn{}), Outcome::board_error);
 
   line.board = [&](const Written& frame) {
     if (frame.id == motors_on) line.say(error, {7, 0, 0, 0, 0}, milliseconds(50));
   };
-  const Handle first = line.send(sbgc::msg::MotorsOn{}, {.attempts = 1});
-  const Handle second = line.send(sbgc::msg::BoardInfoRequest{}, {.attempts = 1});
+  const Handle first = line.send(msg::MotorsOn{}, {.attempts = 1});
+  const Handle second = line.send(msg::BoardInfoRequest{}, {.attempts = 1});
   line.run();
   EXPECT_EQ(line.outcome(first), Outcome::timeout) << "it may refer to either";
   EXPECT_EQ(line.outcome(second), Outcome::timeout);
   EXPECT_THAT(line.of(EventKind::board_error), SizeIs(1));
 }
 
-TEST(Session, AnErrorForWhatIsOverIsLate) {
-  Simulation line;
+TEST_F(Matching, AnErrorForWhatIsOverIsLate) {
   line.board = [&](const Written& frame) {
     if (frame.id == control) line.say(error, {control, 1, 0, 0, 0, 0});
   };
-  line.send(sbgc::msg::Control{});
+  line.send(msg::Control{});
   line.run();
   ASSERT_THAT(line.of(EventKind::board_error), SizeIs(1));
   EXPECT_TRUE(line.of(EventKind::board_error)[0].event.is_late);
@@ -328,14 +255,13 @@ TEST(Session, AnErrorForWhatIsOverIsLate) {
 
 // Resets
 
-TEST(Session, AResetEndsWhateverIsOpen) {
-  Simulation line;
+TEST_F(Matching, AResetEndsWhateverIsOpen) {
   line.board = [&](const Written& frame) {
     if (frame.id == motors_on) line.say(reset, {});
   };
-  const Handle info = line.send(sbgc::msg::BoardInfoRequest{});
-  const Handle motors = line.send(sbgc::msg::MotorsOn{});
-  const Handle waiting = line.send(sbgc::msg::BoardInfoRequest{});
+  const Handle info = line.send(msg::BoardInfoRequest{});
+  const Handle motors = line.send(msg::MotorsOn{});
+  const Handle waiting = line.send(msg::BoardInfoRequest{});
   line.run();
   EXPECT_THAT(line.of(EventKind::reset), SizeIs(1));
   for (const Handle handle : {info, motors, waiting}) {
@@ -345,43 +271,24 @@ TEST(Session, AResetEndsWhateverIsOpen) {
   EXPECT_EQ(line.session.open_requests(), 0U);
 }
 
-TEST(Session, ARequestWaitsUntilTheBoardHasRestarted) {
-  Simulation line;
-  line.send(sbgc::msg::I2cReadRegBufRequest{}, {.timeout = sbgc::seconds(30)});
+TEST_F(Matching, ARequestWaitsUntilTheBoardHasRestarted) {
+  line.send(msg::I2cReadRegBufRequest{}, {.timeout = seconds(30)});
   line.run_for(milliseconds(1));
   line.say(reset, {});
   line.run_for(milliseconds(10));
-  line.send(sbgc::msg::I2cReadRegBufRequest{}, {.attempts = 1});
+  line.send(msg::I2cReadRegBufRequest{}, {.attempts = 1});
   line.run();
   ASSERT_THAT(line.written, SizeIs(2));
-  const sbgc::Instant told = simulation::start + milliseconds(1 + 3);
-  EXPECT_EQ(line.written[1].at, told + milliseconds(sbgc::roles::reset_delay_ms + 500));
+  const Instant told = start_time + milliseconds(1 + 3);
+  EXPECT_EQ(line.written[1].at, told + milliseconds(roles::reset_delay_ms + 500));
 }
 
-TEST(Session, AResetThatWasAskedForAnswers) {
-  Simulation line;
-  line.board = [&](const Written& frame) {
-    if (frame.body.size() == 3 && frame.body[0] == 1) line.say(reset, {});
-  };
-  sbgc::msg::ResetRequestExt request;
-  request.confirm.set(sbgc::msg::ResetOption::notify);
-  const Handle noticed = line.send(request);
-  line.run();
-  EXPECT_EQ(line.outcome(noticed), Outcome::answered);
-  EXPECT_THAT(line.of(EventKind::reset), SizeIs(1));
-  request.confirm = {};
-  const Handle silent = line.send(request);
-  line.run();
-  EXPECT_EQ(line.outcome(silent), Outcome::sent);
-}
-
-TEST(Session, WhatIsSentWhileTheResetIsReportedIsAnotherRequest) {
-  Simulation line;
+TEST_F(Matching, WhatIsSentWhileTheResetIsReportedIsAnotherRequest) {
   Handle next;
   line.on_event = [&](const Record& record) {
-    if (record.event.kind == EventKind::reset) next = line.send(sbgc::msg::BoardInfoRequest{});
+    if (record.event.kind == EventKind::reset) next = line.send(msg::BoardInfoRequest{});
   };
-  const Handle first = line.send(sbgc::msg::MotorsOn{});
+  const Handle first = line.send(msg::MotorsOn{});
   line.run_for(milliseconds(1));
   line.say(reset, {});
   line.run_for(milliseconds(4));
@@ -392,21 +299,21 @@ TEST(Session, WhatIsSentWhileTheResetIsReportedIsAnotherRequest) {
   EXPECT_EQ(line.outcome(next), Outcome::answered);
 }
 
-TEST(Session, AnAbandonedLinkEndsEverything) {
-  Simulation line;
-  const Handle sent = line.send(sbgc::msg::MotorsOn{});
+TEST_F(Matching, AnAbandonedLinkEndsEverything) {
+  const Handle sent = line.send(msg::MotorsOn{});
   line.run_for({});
   ASSERT_THAT(line.written, SizeIs(1));
-  const Handle waiting = line.send(sbgc::msg::MotorsOn{});
+  const Handle waiting = line.send(msg::MotorsOn{});
   line.session.abandon(line.sink());
   EXPECT_EQ(line.outcome(sent), Outcome::link_lost);
   EXPECT_EQ(line.outcome(waiting), Outcome::link_lost);
   // No state of the old link remains.
-  line.board = [&](const Written& frame) { line.confirm(frame.id); };
-  const Handle next = line.send(sbgc::msg::MotorsOn{});
+  confirm_all();
+  const Handle next = line.send(msg::MotorsOn{});
   line.run_for(milliseconds(4));
   EXPECT_EQ(line.outcome(next), Outcome::confirmed) << "it need not wait for late replies";
-  EXPECT_EQ(line.written.back().at, simulation::start) << "nor for the end of a pause";
+  EXPECT_EQ(line.written.back().at, start_time) << "nor for the end of a pause";
 }
 
 }  // namespace
+}  // namespace sbgc::test

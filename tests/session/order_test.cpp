@@ -1,102 +1,72 @@
 // Tests of the order in which requests with an effect are sent, and of stops.
 
-#include <cstdint>
-#include <random>
-#include <vector>
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <sbgc/responses/all.hpp>
-#include <sbgc/session.hpp>
-
-#include "commands.hpp"
 #include "simulation.hpp"
 
+namespace sbgc::test {
 namespace {
 
-using commands::board_info;
-using commands::control;
-using commands::i2c_read;
-using commands::motors_off;
-using commands::motors_on;
-using commands::write_params_3;
-using sbgc::Duration;
-using sbgc::Handle;
-using sbgc::Instant;
-using sbgc::milliseconds;
-using sbgc::Outcome;
-using simulation::body_of;
-using simulation::ids;
-using simulation::Simulation;
-using simulation::Written;
-using ::testing::ElementsAre;
-using ::testing::SizeIs;
-using ::testing::UnorderedElementsAre;
+using Order = LineTest;
+using Stop = LineTest;
 
 /// The longest pause after a small command, and the time of its frame on a line of the default
 /// speed.
 constexpr Duration pause = milliseconds(11);
 
-sbgc::msg::Control turn(int speed) {
-  sbgc::msg::Control request;
-  request.control_mode.set_mode(sbgc::msg::ControlModeKind::speed);
-  request.axes.yaw.speed = sbgc::msg::ControlSpeed(static_cast<std::int16_t>(speed));
+msg::Control turn(int speed) {
+  msg::Control request;
+  request.control_mode.set_mode(msg::ControlModeKind::speed);
+  request.axes.yaw.speed = msg::ControlSpeed(static_cast<std::int16_t>(speed));
   return request;
 }
 
-sbgc::msg::WriteParams3 write(std::uint8_t profile) {
-  sbgc::msg::WriteParams3 request;
+msg::WriteParams3 write(std::uint8_t profile) {
+  msg::WriteParams3 request;
   request.profile_id = profile;
   return request;
 }
 
-TEST(Order, WhatHasAnEffectWaitsForNoResponse) {
-  Simulation line;
-  line.send(sbgc::msg::MotorsOn{});
-  line.send(sbgc::msg::MotorsOn{});
+TEST_F(Order, WhatHasAnEffectWaitsForNoResponse) {
+  line.send(msg::MotorsOn{});
+  line.send(msg::MotorsOn{});
   line.send(write(1));
   line.run_for(milliseconds(100));
   EXPECT_THAT(ids(line.written), ElementsAre(motors_on, motors_on, write_params_3));
-  EXPECT_LE(line.written[1].at - line.written[0].at, pause);
+  EXPECT_LE(gap(1), pause);
 }
 
-TEST(Order, NothingIsRepeatedAfterALaterRequest) {
-  Simulation line;  // whose board never responds
-  const Handle on = line.send(sbgc::msg::MotorsOn{});
+TEST_F(Order, NothingIsRepeatedAfterALaterRequest) {
+  // whose board never responds
+  const Handle on = line.send(msg::MotorsOn{});
   line.run_for(milliseconds(400));
-  const Handle again = line.send(sbgc::msg::MotorsOn{});
+  const Handle again = line.send(msg::MotorsOn{});
   line.run_for(milliseconds(50));
-  const Handle off = line.send(sbgc::msg::MotorsOff{});
+  const Handle off = line.send(msg::MotorsOff{});
   line.run();
   EXPECT_THAT(ids(line.written),
               ElementsAre(motors_on, motors_on, motors_off, motors_off, motors_off));
   for (const Handle handle : {on, again, off}) EXPECT_EQ(line.outcome(handle), Outcome::timeout);
 }
 
-TEST(Order, OfAnotherHostDoesNotMatter) {
-  Simulation line;
-  line.send(sbgc::msg::MotorsOn{}, {.host = 1});
+TEST_F(Order, OfAnotherHostDoesNotMatter) {
+  line.send(msg::MotorsOn{}, {.host = 1});
   line.send(write(1), {.host = 2});
   line.run();
   EXPECT_THAT(ids(line.written), UnorderedElementsAre(motors_on, write_params_3, motors_on,
                                                       write_params_3, motors_on, write_params_3));
 }
 
-TEST(Order, AReadDoesNotEndTheRepetitionOfAWrite) {
-  Simulation line;
+TEST_F(Order, AReadDoesNotEndTheRepetitionOfAWrite) {
   line.board = [&](const Written& frame) {
     if (frame.id == board_info) line.say(board_info, body_of(18));
   };
   line.send(write(1));
-  line.send(sbgc::msg::BoardInfoRequest{});
+  line.send(msg::BoardInfoRequest{});
   line.run();
   EXPECT_THAT(ids(line.written),
               ElementsAre(write_params_3, board_info, write_params_3, write_params_3));
 }
 
-TEST(Order, AReadAfterAWriteIsNotSentBefore) {
-  Simulation line;
+TEST_F(Order, AReadAfterAWriteIsNotSentBefore) {
   std::uint8_t stored = 0;
   line.board = [&](const Written& frame) {
     if (frame.id == write_params_3) stored = frame.body[1];  // and all confirmations are lost
@@ -107,15 +77,14 @@ TEST(Order, AReadAfterAWriteIsNotSentBefore) {
     request.axes.roll.p = value;
     line.send(request);
   }
-  const Handle read = line.send(sbgc::msg::ReadParams3Request{});
+  const Handle read = line.send(msg::ReadParams3Request{});
   line.run();
   ASSERT_EQ(line.outcome(read), Outcome::answered);
   EXPECT_EQ(line.completion(read)->body[1], 2);
   EXPECT_EQ(stored, 2);
 }
 
-TEST(Stop, IsSentNextAndSupersedesQueuedMotion) {
-  Simulation line;
+TEST_F(Stop, IsSentNextAndSupersedesQueuedMotion) {
   std::vector<Handle> motions;
   for (int speed = 1; speed < 6; ++speed) motions.push_back(line.send(turn(speed)));
   line.run_for(Duration{});
@@ -127,16 +96,15 @@ TEST(Stop, IsSentNextAndSupersedesQueuedMotion) {
     EXPECT_EQ(line.outcome(motions[i]), Outcome::superseded);
   }
   EXPECT_EQ(line.outcome(stop), Outcome::sent);
-  EXPECT_LE(line.written[1].at - line.written[0].at, pause);
+  EXPECT_LE(gap(1), pause);
 }
 
-TEST(Stop, SupersedesMotionOfAllHostsAndNothingElse) {
-  Simulation line;
-  line.send(sbgc::msg::BoardInfoRequest{}, {.host = 1});
+TEST_F(Stop, SupersedesMotionOfAllHostsAndNothingElse) {
+  line.send(msg::BoardInfoRequest{}, {.host = 1});
   line.run_for(Duration{});
-  const Handle beep = line.send(sbgc::msg::BeepSound{}, {.host = 1});
+  const Handle beep = line.send(msg::BeepSound{}, {.host = 1});
   const Handle other = line.send(turn(7), {.host = 2});
-  line.send(sbgc::msg::MotorsOff{}, {.host = 1});
+  line.send(msg::MotorsOff{}, {.host = 1});
   const Handle later = line.send(turn(8), {.host = 1});
   line.run_for(milliseconds(200));
   ASSERT_GE(line.written.size(), 4U);
@@ -145,84 +113,81 @@ TEST(Stop, SupersedesMotionOfAllHostsAndNothingElse) {
   EXPECT_EQ(line.outcome(other), Outcome::superseded);
 }
 
-TEST(Stop, IsNotSupersededByALaterOne) {
-  Simulation line;
+TEST_F(Stop, IsNotSupersededByALaterOne) {
   line.send(turn(1));
   line.run_for(Duration{});
-  line.send(sbgc::msg::MotorsOff{});
+  line.send(msg::MotorsOff{});
   line.send(turn(0));
   line.run_for(milliseconds(100));
   EXPECT_THAT(ids(line.written), ElementsAre(control, motors_off, control));
 }
 
-TEST(Stop, DoesNotSupersedeWhatWasSentAndIsDueAgain) {
-  Simulation line;  // whose board never responds
-  const Handle on = line.send(sbgc::msg::MotorsOn{}, {.timeout = milliseconds(5)});
+TEST_F(Stop, DoesNotSupersedeWhatWasSentAndIsDueAgain) {
+  // whose board never responds
+  const Handle on = line.send(msg::MotorsOn{}, {.timeout = milliseconds(5)});
   line.run_for(milliseconds(7));  // it is to be sent again after the pause
-  line.send(sbgc::msg::MotorsOff{}, {.attempts = 1});
+  line.send(msg::MotorsOff{}, {.attempts = 1});
   line.run();
   EXPECT_THAT(ids(line.written), ElementsAre(motors_on, motors_off));
   EXPECT_EQ(line.outcome(on), Outcome::timeout);
 }
 
-TEST(Stop, IsNotHeldUpByAnything) {
-  Simulation line;
-  line.send(sbgc::msg::I2cReadRegBufRequest{});
-  line.send(sbgc::msg::I2cReadRegBufRequest{});
+TEST_F(Stop, IsNotHeldUpByAnything) {
+  line.send(msg::I2cReadRegBufRequest{});
+  line.send(msg::I2cReadRegBufRequest{});
   line.run_for(milliseconds(1));
-  line.send(sbgc::msg::MotorsOff{});
+  line.send(msg::MotorsOff{});
   line.run_for(milliseconds(30));
   EXPECT_THAT(ids(line.written), ElementsAre(i2c_read, motors_off));
 }
 
-TEST(Stop, ThatIsCancelledSupersedesNothing) {
-  Simulation line;
+TEST_F(Stop, ThatIsCancelledSupersedesNothing) {
   line.send(turn(1));
   line.run_for(Duration{});
   const Handle motion = line.send(turn(2));
-  const Handle stop = line.send(sbgc::msg::MotorsOff{});
+  const Handle stop = line.send(msg::MotorsOff{});
   line.session.cancel(stop, line.sink());
   line.run();
   EXPECT_EQ(line.outcome(motion), Outcome::sent);
 }
 
-TEST(Stop, IsWhatTheSpecificationSays) {
+TEST(StopRules, IsWhatTheSpecificationSays) {
   const auto stops = [](const auto& request) { return response_policy(request).stops; };
-  EXPECT_TRUE(stops(sbgc::msg::MotorsOff{}));
-  EXPECT_TRUE(stops(sbgc::msg::MotorsOffExt{}));
+  EXPECT_TRUE(stops(msg::MotorsOff{}));
+  EXPECT_TRUE(stops(msg::MotorsOffExt{}));
   EXPECT_TRUE(stops(turn(0)));
   EXPECT_FALSE(stops(turn(1)));
-  EXPECT_FALSE(stops(sbgc::msg::Control{})) << "the axes are no longer controlled";
-  sbgc::msg::ControlExt extended;
+  EXPECT_FALSE(stops(msg::Control{})) << "the axes are no longer controlled";
+  msg::ControlExt extended;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    extended.control_mode[axis].set_mode(sbgc::msg::ControlModeKind::speed);
+    extended.control_mode[axis].set_mode(msg::ControlModeKind::speed);
   }
   EXPECT_TRUE(stops(extended));
-  extended.control_mode.roll.set_mode(sbgc::msg::ControlModeKind::angle);
+  extended.control_mode.roll.set_mode(msg::ControlModeKind::angle);
   EXPECT_FALSE(stops(extended));
-  EXPECT_TRUE(stops(sbgc::msg::ExecuteMenu{.cmd_id = sbgc::msg::MenuCommand::motor_off}));
-  EXPECT_FALSE(stops(sbgc::msg::ExecuteMenu{.cmd_id = sbgc::msg::MenuCommand::motor_on}));
-  EXPECT_FALSE(stops(sbgc::msg::ControlExtCommand{}));
-  EXPECT_TRUE(stops(sbgc::msg::ControlQuatSpeed{}));
+  EXPECT_TRUE(stops(msg::ExecuteMenu{.cmd_id = msg::MenuCommand::motor_off}));
+  EXPECT_FALSE(stops(msg::ExecuteMenu{.cmd_id = msg::MenuCommand::motor_on}));
+  EXPECT_FALSE(stops(msg::ControlExtCommand{}));
+  EXPECT_TRUE(stops(msg::ControlQuatSpeed{}));
 }
 
-TEST(Pacing, AStreamOfControlsIsSentAtItsRate) {
-  Simulation line({.line = {115200, sbgc::Parity::none}});  // its board confirms nothing
+TEST(ControlRate, AStreamOfControlsIsSentAtItsRate) {
+  Simulation line({.line = {115200, Parity::none}});  // its board confirms nothing
   constexpr int count = 500;
   std::mt19937 random(1);
   for (int i = 0; i < count; ++i) {
     line.send(turn(i + 1));
     // The thread that polls is up to 2 ms late.
     line.late = milliseconds(std::uniform_int_distribution<int>(0, 2)(random));
-    line.run_until(simulation::start + milliseconds(10 * (i + 1)));
+    line.run_until(start_time + milliseconds(10 * (i + 1)));
     ASSERT_GE(line.written.size(), static_cast<std::size_t>(i)) << "more than one frame late";
   }
   line.run();
   EXPECT_THAT(line.written, SizeIs(count));
 }
 
-TEST(Pacing, ALineThatWasIdleIsNotLate) {
-  Simulation line({.line = {115200, sbgc::Parity::none}});
+TEST(ControlRate, ALineThatWasIdleIsNotLate) {
+  Simulation line({.line = {115200, Parity::none}});
   const auto send_two = [&](int speed) {
     line.send(turn(speed));
     line.run_for(Duration{});
@@ -264,7 +229,7 @@ class Host {
     EXPECT_EQ(line.session.open_requests(), 0U);
   }
 
-  Simulation line{{.line = {115200, sbgc::Parity::none}}};
+  Simulation line{{.line = {115200, Parity::none}}};
 
  private:
   int upto(int most) { return std::uniform_int_distribution<int>(0, most)(random_); }
@@ -277,12 +242,12 @@ class Host {
 
   void ask() {
     switch (upto(6)) {
-      case 0: return send(sbgc::msg::MotorsOn{}, Motion::on);
-      case 1: return stop(sbgc::msg::MotorsOff{}, Motion::off);
+      case 0: return send(msg::MotorsOn{}, Motion::on);
+      case 1: return stop(msg::MotorsOff{}, Motion::off);
       case 2: return stop(turn(0), Motion::still);
       case 3: return send(turn(1 + upto(100)), Motion::turning);
-      case 4: return send(sbgc::msg::I2cReadRegBufRequest{});
-      case 5: return send(sbgc::msg::BoardInfoRequest{});
+      case 4: return send(msg::I2cReadRegBufRequest{});
+      case 5: return send(msg::BoardInfoRequest{});
       default: return send(write(static_cast<std::uint8_t>(upto(4))));
     }
   }
@@ -329,3 +294,4 @@ TEST_P(Lines, TheBoardDoesWhatTheLastRequestSaid) {
 INSTANTIATE_TEST_SUITE_P(Seeds, Lines, ::testing::Range(1U, 41U));
 
 }  // namespace
+}  // namespace sbgc::test

@@ -1,30 +1,11 @@
 // Tests of invariants: random requests over a line that loses, delays, repeats and corrupts bytes.
 
-#include <cstdint>
-#include <map>
-#include <random>
-#include <set>
 #include <type_traits>
-#include <vector>
-
-#include <gtest/gtest.h>
-
-#include <sbgc/responses/all.hpp>
-#include <sbgc/session.hpp>
 
 #include "simulation.hpp"
 
+namespace sbgc::test {
 namespace {
-
-using sbgc::Duration;
-using sbgc::EventKind;
-using sbgc::Handle;
-using sbgc::milliseconds;
-using sbgc::Outcome;
-using simulation::Body;
-using simulation::body_of;
-using simulation::Record;
-using simulation::Written;
 
 /// The error rates of a line, in percent.
 struct Weather {
@@ -40,15 +21,15 @@ struct Weather {
 constexpr Weather bad = {.lost = 15, .slow = 25, .garbled = 5, .noise = 20, .errors = 5};
 
 /// The smallest session, for a microcontroller.
-using SmallSession = sbgc::BasicSession<
-    sbgc::SessionCapacity{
-        .requests = 1, .late_replies = 1, .streams = 0, .optimize = sbgc::Optimize::size},
-    sbgc::FrameFormats<sbgc::CrcTable::nibbles, sbgc::Framing::v1>>;
+using SmallSession =
+    BasicSession<SessionCapacity{
+                     .requests = 1, .late_replies = 1, .streams = 0, .optimize = Optimize::size},
+                 FrameFormats<CrcTable::nibbles, Framing::v1>>;
 
 /// Runs a test with each kind of session.
 template <class Test>
 void with_each_session(const Test& test) {
-  test.template operator()<sbgc::Session>();
+  test.template operator()<Session>();
   test.template operator()<SmallSession>();
 }
 
@@ -56,7 +37,7 @@ void with_each_session(const Test& test) {
 template <class Session>
 class Chaos {
  public:
-  Chaos(unsigned seed, const Weather& weather, const sbgc::SessionOptions& options = {})
+  Chaos(unsigned seed, const Weather& weather, const SessionOptions& options = {})
       : random_(seed), weather_(weather), line(options) {
     line.board = [this](const Written& frame) { hear(frame); };
     line.on_event = [this](const Record& record) { note(record); };
@@ -94,40 +75,33 @@ class Chaos {
   struct Asked {
     std::uint8_t command{};
     std::uint8_t tag{};  // in the body of the request, if it has one
-    sbgc::Instant at{};
+    Instant at{};
   };
 
   int upto(int most) { return std::uniform_int_distribution<int>(0, most)(random_); }
   bool chance(int percent) { return upto(99) < percent; }
 
   void ask() {
-    sbgc::SendResult sent;
+    SendResult sent;
     const auto tag = static_cast<std::uint8_t>(upto(4));
     switch (upto(6)) {
-      case 0: sent = line.session.send(sbgc::msg::BoardInfoRequest{}); break;
-      case 1: {
-        sbgc::msg::ReadParams3Request request;
-        request.profile_id = tag;
-        sent = line.session.send(request);
-        break;
-      }
+      case 0: sent = line.session.send(msg::BoardInfoRequest{}); break;
+      case 1: sent = line.session.send(msg::ReadParams3Request{.profile_id = tag}); break;
       case 2: {
-        sbgc::msg::WriteParams3 request;
+        msg::WriteParams3 request;
         request.profile_id = tag;
         sent = line.session.send(request);
         break;
       }
-      case 3: sent = line.session.send(sbgc::msg::I2cReadRegBufRequest{}); break;
-      case 4: {
-        sbgc::msg::ExecuteMenu request;
-        sent = line.session.send(request, {.expect_confirmation = chance(50)});
+      case 3: sent = line.session.send(msg::I2cReadRegBufRequest{}); break;
+      case 4:
+        sent = line.session.send(msg::ExecuteMenu{}, {.expect_confirmation = chance(50)});
         break;
-      }
-      case 5: sent = line.session.send(sbgc::msg::Control{}); break;
-      default: sent = line.session.send(sbgc::msg::CalibGyro{}); break;
+      case 5: sent = line.session.send(msg::Control{}); break;
+      default: sent = line.session.send(msg::CalibGyro{}); break;
     }
     if (!sent) {
-      EXPECT_EQ(sent.status, sbgc::SendStatus::queue_full);
+      EXPECT_EQ(sent.status, SendStatus::queue_full);
       return;
     }
     asked_[sent.handle] = {0, tag, line.now};
@@ -181,7 +155,7 @@ class Chaos {
 
   void reply(std::uint8_t id, const Body& body, Duration extra = {}) {
     if (chance(weather_.lost)) return;
-    Body bytes = simulation::frame_of(id, body);
+    Body bytes = frame_of(id, body);
     if (chance(weather_.garbled)) {
       bytes[static_cast<std::size_t>(upto(static_cast<int>(bytes.size()) - 1))] ^= 0x55;
     }
@@ -195,7 +169,7 @@ class Chaos {
     const int late = chance(weather_.slow) ? 900 : 100;
     Duration delay = milliseconds(1 + upto(late)) + extra;
     if (extra == Duration{}) {  // a board answers in order, except for what takes long
-      last_reply_ = sbgc::later(last_reply_, line.now + delay);
+      last_reply_ = later(last_reply_, line.now + delay);
       delay = last_reply_ - line.now;
     }
     line.say_bytes(bytes, delay);
@@ -211,14 +185,14 @@ class Chaos {
 
   /// True for what has an effect, and therefore waits neither until another calibration has ended
   /// nor until a frame cannot be repeated any more.
-  bool may_be_confused(const sbgc::Event& event) const {
+  bool may_be_confused(const Event& event) const {
     constexpr std::uint8_t calibration = 103;
     const bool is_confirmation = event.kind == EventKind::confirmation || event.frame.id == 67;
     return is_confirmation && (event.command == calibration || weather_.repeated != 0);
   }
 
   void note(const Record& record) {
-    const sbgc::Event& event = record.event;
+    const Event& event = record.event;
     if (event.kind == EventKind::completed) {
       EXPECT_TRUE(asked_.contains(event.handle)) << "an unknown request";
       EXPECT_TRUE(ended_.emplace(event.handle, event.outcome).second) << "twice";
@@ -247,15 +221,15 @@ class Chaos {
   std::mt19937 random_;
   Weather weather_;
   std::size_t transmission_ = 0;
-  sbgc::Instant last_reply_{};
-  std::map<std::size_t, sbgc::Instant> sent_at_;
+  Instant last_reply_{};
+  std::map<std::size_t, Instant> sent_at_;
   std::map<std::size_t, Handle> given_;
   std::map<Handle, Asked> asked_;
   std::map<Handle, Outcome> ended_;
   std::set<Handle> open_;
 
  public:
-  simulation::Basic<Session> line;
+  Basic<Session> line;
 };
 
 class Schedules : public ::testing::TestWithParam<unsigned> {};
@@ -273,8 +247,7 @@ TEST_P(Schedules, NorOverALineThatRepeats) {
   with_each_session([]<class Session>() {
     Weather weather = bad;
     weather.repeated = 30;
-    sbgc::SessionOptions options;
-    options.duplicate_window = milliseconds(100);
+    SessionOptions options{.duplicate_window = milliseconds(100)};
     Chaos<Session> chaos(GetParam(), weather, options);
     chaos.run(300);
     EXPECT_GT(chaos.count(Outcome::answered), 0U);
@@ -303,3 +276,4 @@ TEST_P(Schedules, OverAGoodLineEverythingIsAnswered) {
 INSTANTIATE_TEST_SUITE_P(Seeds, Schedules, ::testing::Range(1U, 41U));
 
 }  // namespace
+}  // namespace sbgc::test

@@ -1,48 +1,15 @@
 // Tests of sinks that call the session from within an event: nothing is lost.
 
-#include <cstdint>
-#include <functional>
-#include <map>
-#include <optional>
-#include <random>
-#include <set>
-#include <string>
 #include <tuple>
-#include <vector>
 
-#include <gtest/gtest.h>
-
-#include <sbgc/responses/all.hpp>
-#include <sbgc/session.hpp>
-
-#include "commands.hpp"
 #include "simulation.hpp"
 
+namespace sbgc::test {
 namespace {
 
-using commands::board_info;
-using commands::motors_on;
-using commands::realtime_data_4;
-using sbgc::EventKind;
-using sbgc::Handle;
-using sbgc::milliseconds;
-using sbgc::Outcome;
-using sbgc::seconds;
-using simulation::Body;
-using simulation::body_of;
-using simulation::Record;
-using simulation::Simulation;
-using simulation::Written;
+using Reentrancy = LineTest;
 
-using commands::stream_interval;
 constexpr std::uint8_t realtime_data_3 = 23;
-
-sbgc::msg::DataStreamInterval stream_of(std::uint8_t command, std::uint16_t interval_ms) {
-  sbgc::msg::DataStreamInterval request;
-  request.cmd_id = static_cast<sbgc::msg::CommandFromBoard>(command);
-  request.interval_ms = sbgc::msg::Milliseconds(interval_ms);
-  return request;
-}
 
 /// Load of a stream of CMD_REALTIME_DATA_4 in bytes per second: frames of 129 bytes at 10 Hz.
 constexpr std::uint32_t load_of_4 = 1290;
@@ -66,55 +33,44 @@ void expect_stream_runs(Simulation& line, Handle asked) {
   EXPECT_EQ(line.of(EventKind::unsolicited).size(), 0U);
 }
 
-TEST(Reentrancy, AStreamAskedForInTheResetEventRuns) {
-  Simulation line;
-  ask_in_vain(line);
-  Handle again;
-  line.on_event = [&](const Record& record) {
-    if (record.event.kind != EventKind::reset) return;
-    EXPECT_EQ(line.session.stream_usage().used, 0U) << "the board has forgotten its streams";
-    again = line.send(stream_of(realtime_data_4, 100));
-    line.board = [&](const Written& frame) { line.confirm(frame.id); };
-  };
-  line.say(commands::reset, {});
-  line.run();
-  expect_stream_runs(line, again);
+TEST(ReentrancyRules, AStreamAskedForWhenTheBoardRestartsRuns) {
+  for (const bool in_event : {true, false}) {  // or when a request ends with the reset
+    Simulation line;
+    ask_in_vain(line);
+    Handle again;
+    line.on_event = [&](const Record& record) {
+      if (in_event ? record.event.kind != EventKind::reset
+                   : record.event.outcome != Outcome::reset || again) {
+        return;
+      }
+      EXPECT_TRUE(!in_event || line.session.stream_usage().used == 0);
+      again = line.send(stream_of(realtime_data_4, 100));
+      line.board = [&](const Written& frame) { line.confirm(frame.id); };
+    };
+    line.say(reset, {});
+    line.run();
+    expect_stream_runs(line, again);
+  }
 }
 
-TEST(Reentrancy, AStreamAskedForWhenARequestEndsWithAResetRuns) {
-  Simulation line;
-  ask_in_vain(line);
-  Handle again;
-  line.on_event = [&](const Record& record) {
-    if (record.event.outcome != Outcome::reset || again) return;
-    again = line.send(stream_of(realtime_data_4, 100));
-    line.board = [&](const Written& frame) { line.confirm(frame.id); };
-  };
-  line.say(commands::reset, {});
-  line.run();
-  expect_stream_runs(line, again);
-}
-
-TEST(Reentrancy, AStreamAskedForWhenTheBoardAnswersAResetRuns) {
-  Simulation line;
+TEST_F(Reentrancy, AStreamAskedForWhenTheBoardAnswersAResetRuns) {
   Handle again;
   line.on_event = [&](const Record& record) {
     if (record.event.outcome != Outcome::answered) return;
     again = line.send(stream_of(realtime_data_4, 100));
   };
   line.board = [&](const Written& frame) {
-    if (frame.id == commands::reset) return line.say(commands::reset, {});
+    if (frame.id == reset) return line.say(reset, {});
     line.confirm(frame.id);
   };
-  sbgc::msg::ResetRequestExt request;
-  request.confirm.set(sbgc::msg::ResetOption::notify);
+  msg::ResetRequestExt request;
+  request.confirm.set(msg::ResetOption::notify);
   line.send(request);
   line.run();
   expect_stream_runs(line, again);
 }
 
-TEST(Reentrancy, AStreamAskedForWhenTheLinkIsLostRunsOnTheNextOne) {
-  Simulation line;
+TEST_F(Reentrancy, AStreamAskedForWhenTheLinkIsLostRunsOnTheNextOne) {
   ask_in_vain(line);
   Handle again;
   line.on_event = [&](const Record& record) {
@@ -125,49 +81,21 @@ TEST(Reentrancy, AStreamAskedForWhenTheLinkIsLostRunsOnTheNextOne) {
   line.session.abandon(line.sink());
   EXPECT_EQ(line.session.open_requests(), 1U);
   EXPECT_EQ(line.session.stream_usage().used, load_of_4) << "it is being requested";
-  line.board = [&](const Written& frame) { line.confirm(frame.id); };
+  confirm_all();
   line.run();
   expect_stream_runs(line, again);
 }
 
-TEST(Reentrancy, AStreamAfterARequestThatRestartsTheBoardRuns) {
-  Simulation line;
+TEST_F(Reentrancy, AStreamAfterARequestThatRestartsTheBoardRuns) {
   line.board = [&](const Written& frame) {
     if (frame.id == stream_interval) line.confirm(frame.id);
   };
   line.send(stream_of(realtime_data_3, 100));
   line.run();
-  line.send(sbgc::msg::ResetRequest{});  // without notice: it ends as soon as it is written
+  line.send(msg::ResetRequest{});  // without notice: it ends as soon as it is written
   const Handle behind = line.send(stream_of(realtime_data_4, 100));
   line.run();
   expect_stream_runs(line, behind);
-}
-
-TEST(Reentrancy, TheEndOfAnUnknownStreamDoesNotEndThatOfALaterRequest) {
-  Simulation line;
-  line.board = [&](const Written& frame) { line.confirm(frame.id); };
-  const auto custom = [](std::uint32_t flags, std::uint16_t interval) {
-    sbgc::msg::DataStreamInterval request = stream_of(88, interval);
-    request.config.flags = sbgc::msg::RealtimeDataCustomFlags(flags);
-    return request;
-  };
-  for (std::uint32_t i = 0; i < 10; ++i) {  // the maximum number
-    line.send(custom(i, 100));
-    line.run();
-  }
-  const std::uint32_t before = line.session.stream_usage().used;
-  const Handle end = line.send(custom(0, 0));
-  line.send(stream_of(realtime_data_4, 0));  // not running
-  Handle asked;
-  line.on_event = [&](const Record& record) {
-    if (record.event.kind == EventKind::completed && record.event.handle == end) {
-      asked = line.send(stream_of(realtime_data_4, 100));
-    }
-  };
-  line.run();
-  EXPECT_EQ(line.outcome(asked), Outcome::confirmed);
-  // The stream without flags accounts for 5 + 2 bytes at 10 Hz.
-  EXPECT_EQ(line.session.stream_usage().used, before - 70 + load_of_4);
 }
 
 // Each call from each event
@@ -181,14 +109,14 @@ struct Occasion {
 };
 
 /// Enough time for a request to be sent after another one.
-constexpr sbgc::Duration to_be_sent = milliseconds(20);
+constexpr Duration to_be_sent = milliseconds(20);
 
-void say_reset(Simulation& line) { line.say(commands::reset, {}); }
+void say_reset(Simulation& line) { line.say(reset, {}); }
 
 const std::vector<Occasion>& occasions() {
   const auto send_and_say = [](std::uint8_t id, const Body& body) {
     return [=](Simulation& line) {
-      line.send(sbgc::msg::MotorsOn{});
+      line.send(msg::MotorsOn{});
       line.run_for(to_be_sent);
       line.say(id, body);
     };
@@ -196,51 +124,48 @@ const std::vector<Occasion>& occasions() {
   static const std::vector<Occasion> all = {
       {"answered", EventKind::completed, Outcome::answered,
        [](Simulation& line) {
-         line.send(sbgc::msg::BoardInfoRequest{});
+         line.send(msg::BoardInfoRequest{});
          line.run_for(to_be_sent);
          line.say(board_info, body_of(18));
        }},
-      {"confirmed", EventKind::completed, Outcome::confirmed,
-       send_and_say(commands::confirm, {motors_on})},
+      {"confirmed", EventKind::completed, Outcome::confirmed, send_and_say(confirm, {motors_on})},
       {"sent", EventKind::completed, Outcome::sent,
-       [](Simulation& line) { line.send(sbgc::msg::Control{}); }},
+       [](Simulation& line) { line.send(msg::Control{}); }},
       {"unconfirmed", EventKind::completed, Outcome::unconfirmed,
-       [](Simulation& line) { line.send(sbgc::msg::Control{}, {.expect_confirmation = true}); }},
+       [](Simulation& line) { line.send(msg::Control{}, {.expect_confirmation = true}); }},
       {"failed", EventKind::completed, Outcome::failed,
        [](Simulation& line) {
-         line.send(sbgc::msg::FsClearAll{});
+         line.send(msg::FsClearAll{});
          line.run_for(to_be_sent);
-         line.say(commands::confirm,
-                  {static_cast<std::uint8_t>(sbgc::msg::CommandToBoard::fs_clear_all), 1});
+         line.say(confirm, {static_cast<std::uint8_t>(msg::CommandToBoard::fs_clear_all), 1});
        }},
       {"board_error_of_a_request", EventKind::completed, Outcome::board_error,
-       send_and_say(commands::error, {motors_on, 1, 0, 0, 0, 0})},
+       send_and_say(error, {motors_on, 1, 0, 0, 0, 0})},
       {"timeout", EventKind::completed, Outcome::timeout,
-       [](Simulation& line) { line.send(sbgc::msg::BoardInfoRequest{}, {.attempts = 1}); }},
-      {"reset_of_a_request", EventKind::completed, Outcome::reset,
-       send_and_say(commands::reset, {})},
+       [](Simulation& line) { line.send(msg::BoardInfoRequest{}, {.attempts = 1}); }},
+      {"reset_of_a_request", EventKind::completed, Outcome::reset, send_and_say(reset, {})},
       {"cancelled", EventKind::completed, Outcome::cancelled,
        [](Simulation& line) {
-         const Handle handle = line.send(sbgc::msg::BoardInfoRequest{});
+         const Handle handle = line.send(msg::BoardInfoRequest{});
          line.run_for(to_be_sent);
          EXPECT_TRUE(line.session.cancel(handle, line.sink()));
        }},
       {"link_lost", EventKind::completed, Outcome::link_lost,
        [](Simulation& line) {
-         line.send(sbgc::msg::BoardInfoRequest{});
+         line.send(msg::BoardInfoRequest{});
          line.run_for(to_be_sent);
          line.session.abandon(line.sink());
        }},
       {"confirmation", EventKind::confirmation, Outcome::none,
        [](Simulation& line) {
-         line.send(sbgc::msg::CalibGyro{});
+         line.send(msg::CalibGyro{});
          line.run_for(to_be_sent);
-         line.confirm(commands::calib_gyro, milliseconds(5));
-         line.confirm(commands::calib_gyro, seconds(2));
+         line.confirm(calib_gyro, milliseconds(5));
+         line.confirm(calib_gyro, seconds(2));
        }},
       {"board_error", EventKind::board_error, Outcome::none,
        [](Simulation& line) {
-         line.say(commands::error, {99, 1, 0, 0, 0, 0});
+         line.say(error, {99, 1, 0, 0, 0, 0});
        }},
       {"stream", EventKind::stream, Outcome::none,
        [](Simulation& line) {
@@ -266,7 +191,7 @@ const std::vector<Call>& calls() {
   static const std::vector<Call> all = {
       {"send",
        [](Simulation& line, const Record&, std::vector<Handle>& sent) {
-         sent.push_back(line.send(sbgc::msg::ReadParams3Request{}));
+         sent.push_back(line.send(msg::ReadParams3Request{}));
        }},
       {"start_stream",
        [](Simulation& line, const Record&, std::vector<Handle>& sent) {
@@ -286,7 +211,7 @@ const std::vector<Call>& calls() {
        }},
       {"fill_up",
        [](Simulation& line, const Record&, std::vector<Handle>& sent) {
-         while (const auto result = line.session.send(sbgc::msg::MotorsOff{})) {
+         while (const auto result = line.session.send(msg::MotorsOff{})) {
            sent.push_back(result.handle);
          }
          EXPECT_EQ(line.session.open_requests(), 8U);
@@ -299,7 +224,7 @@ const std::vector<Call>& calls() {
          if (record.event.outcome != Outcome::none) {
            EXPECT_FALSE(line.session.cancel(record.event.handle, line.sink())) << "it is over";
          }
-         line.session.set_line({115200, sbgc::Parity::none});
+         line.session.set_line({115200, Parity::none});
        }},
   };
   return all;
@@ -316,8 +241,7 @@ TEST_P(EachCall, FromEachEventDoesWhatItDoesElsewhere) {
   std::vector<Handle> sent;
   sent.reserve(static_cast<std::size_t>(others));
   for (int i = 0; i < others; ++i) {  // one is in flight and one is queued
-    sent.push_back(
-        line.send(sbgc::msg::EepromReadRequest{}, {.attempts = 1, .timeout = seconds(60)}));
+    sent.push_back(line.send(msg::EepromReadRequest{}, {.attempts = 1, .timeout = seconds(60)}));
   }
   if (others != 0) line.run_for(to_be_sent);
   bool has_happened = false;
@@ -383,7 +307,7 @@ TEST_P(RandomCalls, LeaveTheStreamsAsTheBoardHasThem) {
     if (below(6) == 0) {
       running.clear();
       line.fall_silent_at(line.now);
-      return line.say(commands::reset, {}, milliseconds(0));
+      return line.say(reset, {}, milliseconds(0));
     }
     if (frame.id == stream_interval) {
       const std::uint32_t interval = frame.body[1] + 256U * frame.body[2];
@@ -422,3 +346,4 @@ TEST_P(RandomCalls, LeaveTheStreamsAsTheBoardHasThem) {
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomCalls, ::testing::Range(1U, 201U));
 
 }  // namespace
+}  // namespace sbgc::test

@@ -1,35 +1,21 @@
 // Tests of response policies against tables compiled manually from the specification.
 
 #include <concepts>
-#include <map>
-#include <optional>
-#include <set>
-#include <span>
-#include <string>
 #include <type_traits>
-#include <vector>
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <sbgc/dispatch.hpp>
 #include <sbgc/line_facts.hpp>
-#include <sbgc/message.hpp>
-#include <sbgc/responses/all.hpp>
-#include <sbgc/roles.hpp>
-#include <sbgc/session.hpp>
 
+#include "simulation.hpp"
+
+namespace sbgc::test {
 namespace {
-
-using sbgc::Confirmed;
-using sbgc::ResponsePolicy;
-using ::testing::ElementsAre;
 
 /// Calls `use(message)` with a default message of each type that is sent to the board.
 template <class Use>
 void for_each_request(Use&& use) {
-  sbgc::AllMessages::for_each([&]<class M>(sbgc::Type<M>) {
-    if constexpr (M::direction != sbgc::Direction::from_board) use(M{});
+  AllMessages::for_each([&]<class M>(Type<M>) {
+    if constexpr (M::direction != Direction::from_board) use(M{});
   });
 }
 
@@ -78,7 +64,7 @@ TEST(ResponsePolicy, AreThoseOfTheSpecification) {
     }
     EXPECT_EQ(policy.responses.command, id);
     // What it is answered with cannot be told from samples of a stream.
-    if (std::same_as<M, sbgc::msg::DebugVars3RequestSelected>) return;
+    if (std::same_as<M, msg::DebugVars3RequestSelected>) return;
     EXPECT_EQ(policy.response_required, answer != answers.end()) << id;
     EXPECT_EQ(policy.responses.form_count != 0, answer != answers.end()) << id;
     for (std::size_t i = 0; i < policy.responses.form_count; ++i) {
@@ -113,9 +99,9 @@ TEST(ResponsePolicy, OnlyReadsAndRequestsThatCanBeRepeatedAreSafe) {
       115, 117, 118, 120, 122, 123, 124, 125, 126, 128, 130, 140, 143, 144, 150, 151, 78,  81,  83};
   for_each_request([&]<class M>(const M& message) {
     const int id = static_cast<int>(M::command);
-    const bool calibrates = std::same_as<M, sbgc::msg::SelectImu3Calibrate> ||
-                            std::same_as<M, sbgc::msg::SelectImu3CalibrateShort>;
-    const bool does_nothing = std::same_as<M, sbgc::msg::ExecuteMenu>;  // unless it names an action
+    const bool calibrates =
+        std::same_as<M, msg::SelectImu3Calibrate> || std::same_as<M, msg::SelectImu3CalibrateShort>;
+    const bool does_nothing = std::same_as<M, msg::ExecuteMenu>;  // unless it names an action
     EXPECT_EQ(response_policy(message).retry_is_safe,
               (!unsafe.contains(id) && !calibrates) || does_nothing)
         << id
@@ -125,35 +111,32 @@ TEST(ResponsePolicy, OnlyReadsAndRequestsThatCanBeRepeatedAreSafe) {
 
 TEST(ResponsePolicy, CalibrationsConfirmTwice) {
   for_each_request([&]<class M>(const M& message) {
-    const bool twice = M::command == sbgc::msg::CommandToBoard::calib_acc ||
-                       M::command == sbgc::msg::CommandToBoard::calib_gyro ||
-                       std::same_as<M, sbgc::msg::SelectImu3Calibrate> ||
-                       std::same_as<M, sbgc::msg::SelectImu3CalibrateShort>;
+    const bool twice = M::command == msg::CommandToBoard::calib_acc ||
+                       M::command == msg::CommandToBoard::calib_gyro ||
+                       std::same_as<M, msg::SelectImu3Calibrate> ||
+                       std::same_as<M, msg::SelectImu3CalibrateShort>;
     const ResponsePolicy policy = response_policy(message);
     EXPECT_EQ(policy.confirmations == 2, twice);
     EXPECT_EQ(policy.finish_ms > policy.timeout_ms, twice || policy.series != 0);
   });
-  sbgc::msg::CalibAccExt request;
-  for (const auto action :
-       {sbgc::msg::CalibAction::reset, sbgc::msg::CalibAction::enable_temperature,
-        sbgc::msg::CalibAction::disable_temperature}) {
+  msg::CalibAccExt request;
+  for (const auto action : {msg::CalibAction::reset, msg::CalibAction::enable_temperature,
+                            msg::CalibAction::disable_temperature}) {
     request.action = action;
     EXPECT_EQ(response_policy(request).confirmations, 1);
     EXPECT_TRUE(response_policy(request).restarts_board);
   }
-  request.action = sbgc::msg::CalibAction::temperature;
+  request.action = msg::CalibAction::temperature;
   EXPECT_EQ(response_policy(request).confirmations, 2);
   EXPECT_GT(response_policy(request).finish_ms, 600'000U);
 }
 
 TEST(ResponsePolicy, WhatTogglesOrStartsIsNotRepeated) {
-  using sbgc::msg::MenuCommand;
+  using msg::MenuCommand;
   const auto is_safe = [](MenuCommand action) {
-    sbgc::msg::ExecuteMenuExt with_confirmation;
-    with_confirmation.cmd_id = action;
-    with_confirmation.param = sbgc::msg::ExecuteMenuFlag::confirm;
+    msg::ExecuteMenuExt with_confirmation{.cmd_id = action, .param = msg::ExecuteMenuFlag::confirm};
     const bool safe = response_policy(with_confirmation).retry_is_safe;
-    EXPECT_EQ(response_policy(sbgc::msg::ExecuteMenu{action}).retry_is_safe, safe);
+    EXPECT_EQ(response_policy(msg::ExecuteMenu{action}).retry_is_safe, safe);
     return safe;
   };
   EXPECT_TRUE(is_safe(MenuCommand::profile5) && is_safe(MenuCommand::motor_off));
@@ -161,26 +144,26 @@ TEST(ResponsePolicy, WhatTogglesOrStartsIsNotRepeated) {
                             MenuCommand::calib_gyro, MenuCommand::button_press}) {
     EXPECT_FALSE(is_safe(action));
   }
-  EXPECT_FALSE(response_policy(sbgc::msg::RunScript{sbgc::msg::ScriptMode::start}).retry_is_safe);
+  EXPECT_FALSE(response_policy(msg::RunScript{msg::ScriptMode::start}).retry_is_safe);
 }
 
 TEST(ResponsePolicy, DependOnTheRequest) {
-  sbgc::msg::ResetRequestExt reset;
+  msg::ResetRequestExt reset;
   EXPECT_FALSE(response_policy(reset).response_required);
-  reset.confirm.set(sbgc::msg::ResetOption::notify);
+  reset.confirm.set(msg::ResetOption::notify);
   EXPECT_TRUE(response_policy(reset).response_required);
   EXPECT_EQ(response_policy(reset).responses.forms[0].id, 114);
-  sbgc::msg::BootMode3Ext boot;
-  boot.confirm.set(sbgc::msg::ResetOption::notify);
+  msg::BootMode3Ext boot;
+  boot.confirm.set(msg::ResetOption::notify);
   EXPECT_EQ(response_policy(boot).responses.forms[0].id, 114) << "CMD_RESET, not CMD_BOOT_MODE_3";
-  sbgc::msg::AhrsHelperRequestExt attitude;
+  msg::AhrsHelperRequestExt attitude;
   EXPECT_TRUE(response_policy(attitude).response_required);
-  attitude.mode.set(sbgc::msg::AhrsHelperModeBit::set);
+  attitude.mode.set(msg::AhrsHelperModeBit::set);
   EXPECT_FALSE(response_policy(attitude).response_required);
   EXPECT_EQ(response_policy(attitude).responses.confirmed, Confirmed::unlikely);
   for_each_request([&]<class M>(const M& message) {
-    if (M::command == sbgc::msg::CommandToBoard::reset ||
-        M::command == sbgc::msg::CommandToBoard::boot_mode_3) {
+    if (M::command == msg::CommandToBoard::reset ||
+        M::command == msg::CommandToBoard::boot_mode_3) {
       EXPECT_TRUE(response_policy(message).restarts_board);
     }
   });
@@ -193,44 +176,38 @@ struct Repeated {
   std::uint32_t value;
 };
 
-void expect_field(const sbgc::CorrelationField& field, const Repeated& repeated) {
+void expect_field(const CorrelationField& field, const Repeated& repeated) {
   EXPECT_EQ(field.offset, repeated.offset);
   EXPECT_EQ(field.size, repeated.size);
   EXPECT_EQ(field.value, repeated.value);
 }
 
 TEST(ResponsePolicy, AnswersRepeatPartsOfTheRequest) {
-  sbgc::msg::ReadParamsExt2Request params;
-  params.profile_id = 3;
+  msg::ReadParamsExt2Request params{.profile_id = 3};
   expect_field(response_policy(params).responses.forms[0].correlation[0], {0, 1, 3});
   params.profile_id = 255;
   EXPECT_EQ(response_policy(params).responses.forms[0].correlation[0].size, 0);
-  sbgc::msg::EepromReadRequest memory;
-  memory.addr = 0x12345640;
+  msg::EepromReadRequest memory{.addr = 0x12345640};
   expect_field(response_policy(memory).responses.forms[0].correlation[0], {0, 4, 0x12345640});
-  sbgc::msg::ReadFileRequest file;
-  file.page_offset = sbgc::msg::Pages(0x0102);
+  msg::ReadFileRequest file{.page_offset = msg::Pages(0x0102)};
   expect_field(response_policy(file).responses.forms[0].correlation[0], {2, 2, 0x0102});
   EXPECT_TRUE(response_policy(file).responses.forms[1].is_error);
   EXPECT_EQ(response_policy(file).responses.forms[1].max_size, 1);
-  sbgc::msg::CalibInfoRequest calibration;
-  calibration.imu_type = sbgc::msg::SelectedImu::frame;
+  msg::CalibInfoRequest calibration{.imu_type = msg::SelectedImu::frame};
   expect_field(response_policy(calibration).responses.forms[0].correlation[0], {1, 1, 2});
-  sbgc::msg::EepromWrite write;
-  write.addr = 64;
+  msg::EepromWrite write{.addr = 64};
   expect_field(response_policy(write).responses.confirmation, {1, 4, 64});
-  EXPECT_EQ(response_policy(sbgc::msg::WriteFile{}).result.offset, 1);
-  EXPECT_EQ(response_policy(sbgc::msg::WriteFile{}).result.size, 1);
-  EXPECT_EQ(response_policy(sbgc::msg::FsClearAll{}).result.size, 1);
+  EXPECT_EQ(response_policy(msg::WriteFile{}).result.offset, 1);
+  EXPECT_EQ(response_policy(msg::WriteFile{}).result.size, 1);
+  EXPECT_EQ(response_policy(msg::FsClearAll{}).result.size, 1);
   EXPECT_EQ(response_policy(write).result.size, 0);
 }
 
 /// A response with the requested values matches; a response with any other value in a correlation
 /// field does not.
 TEST(ResponsePolicy, CorrelationFieldsDecideWhatFits) {
-  sbgc::msg::EepromReadRequest request;
-  request.addr = 0xA0B0C0;
-  const sbgc::Responses responses = response_policy(request).responses;
+  msg::EepromReadRequest request{.addr = 0xA0B0C0};
+  const Responses responses = response_policy(request).responses;
   std::vector<std::uint8_t> body = {0xC0, 0xB0, 0xA0, 0x00, 1, 2, 3};
   EXPECT_NE(responses.form_of({48, body, 0}), nullptr);
   EXPECT_EQ(responses.form_of({47, body, 0}), nullptr);
@@ -243,7 +220,7 @@ TEST(ResponsePolicy, CorrelationFieldsDecideWhatFits) {
 }
 
 TEST(ResponsePolicy, FormsBeyondTheirNumberDoNotCount) {
-  sbgc::Responses responses = response_policy(sbgc::msg::ReadFileRequest{}).responses;
+  Responses responses = response_policy(msg::ReadFileRequest{}).responses;
   const std::vector<std::uint8_t> failure = {3};
   EXPECT_NE(responses.form_of({53, failure, 0}), nullptr);
   responses.form_count = 1;
@@ -252,37 +229,35 @@ TEST(ResponsePolicy, FormsBeyondTheirNumberDoNotCount) {
 
 TEST(ResponsePolicy, ThoseThatOneFrameFitsCanBeConfused) {
   const auto confused = [](const auto& one, const auto& two) {
-    const sbgc::Responses first = response_policy(one).responses;
-    const sbgc::Responses second = response_policy(two).responses;
+    const Responses first = response_policy(one).responses;
+    const Responses second = response_policy(two).responses;
     EXPECT_EQ(first.can_be_confused_with(second), second.can_be_confused_with(first));
     return first.can_be_confused_with(second);
   };
-  sbgc::msg::ReadParams3Request one;
-  sbgc::msg::ReadParams3Request two;
-  two.profile_id = 1;
+  msg::ReadParams3Request one;
+  msg::ReadParams3Request two{.profile_id = 1};
   EXPECT_TRUE(confused(one, one));
   EXPECT_FALSE(confused(one, two));
   two.profile_id = 255;
   EXPECT_TRUE(confused(one, two));
-  EXPECT_FALSE(confused(one, sbgc::msg::ReadParams{})) << "each has an answer of its own";
-  EXPECT_TRUE(confused(sbgc::msg::RealtimeData{}, sbgc::msg::RealtimeData3Request{}));
-  EXPECT_FALSE(confused(sbgc::msg::RealtimeData4Request{}, sbgc::msg::RealtimeData3Request{}));
-  EXPECT_TRUE(confused(sbgc::msg::Control{}, sbgc::msg::ControlExt{}));
-  EXPECT_FALSE(confused(sbgc::msg::MotorsOn{}, sbgc::msg::MotorsOff{}));
-  sbgc::msg::EepromWrite write;
-  sbgc::msg::EepromWrite elsewhere;
-  elsewhere.addr = 64;
+  EXPECT_FALSE(confused(one, msg::ReadParams{})) << "each has an answer of its own";
+  EXPECT_TRUE(confused(msg::RealtimeData{}, msg::RealtimeData3Request{}));
+  EXPECT_FALSE(confused(msg::RealtimeData4Request{}, msg::RealtimeData3Request{}));
+  EXPECT_TRUE(confused(msg::Control{}, msg::ControlExt{}));
+  EXPECT_FALSE(confused(msg::MotorsOn{}, msg::MotorsOff{}));
+  msg::EepromWrite write;
+  msg::EepromWrite elsewhere{.addr = 64};
   EXPECT_TRUE(confused(write, elsewhere)) << "the address may be missing";
 }
 
 TEST(ResponsePolicy, SizeOfTheAnswer) {
-  sbgc::msg::RealtimeDataCustomRequest request;
+  msg::RealtimeDataCustomRequest request;
   EXPECT_EQ(response_policy(request).responses.forms[0].size, 2);
-  request.flags.set(sbgc::msg::RealtimeDataCustomFlag::rc_data);
-  request.flags.set(sbgc::msg::RealtimeDataCustomFlag::z1_h1_vectors);
+  request.flags.set(msg::RealtimeDataCustomFlag::rc_data);
+  request.flags.set(msg::RealtimeDataCustomFlag::z1_h1_vectors);
   EXPECT_EQ(response_policy(request).responses.forms[0].size, 2 + 12 + 24);
-  EXPECT_EQ(response_policy(sbgc::msg::ReadParams3Request{}).responses.forms[0].size, 134);
-  EXPECT_EQ(response_policy(sbgc::msg::ReadParams3Request{}).responses.forms[0].max_size, 255);
+  EXPECT_EQ(response_policy(msg::ReadParams3Request{}).responses.forms[0].size, 134);
+  EXPECT_EQ(response_policy(msg::ReadParams3Request{}).responses.forms[0].max_size, 255);
 }
 
 template <class M>
@@ -290,56 +265,39 @@ concept HasResponse = requires {
   typename M::Response;
 };
 
-using sbgc::Maybe;
-using sbgc::ResponseMessages;
-using sbgc::TypeList;
-static_assert(std::same_as<sbgc::msg::BoardInfoRequest::Response, sbgc::msg::BoardInfo>);
-static_assert(std::same_as<sbgc::msg::ReadParams::Response, sbgc::msg::ReadParamsAnswer>);
-static_assert(std::same_as<sbgc::msg::GetAdjVarsVal::Response, sbgc::msg::SetAdjVarsVal>);
-static_assert(std::same_as<sbgc::msg::BootMode3Ext::Response, Maybe<sbgc::msg::Reset>>);
+static_assert(std::same_as<msg::ReadParams::Response, msg::ReadParamsAnswer>);
+static_assert(std::same_as<msg::GetAdjVarsVal::Response, msg::SetAdjVarsVal>);
+static_assert(std::same_as<msg::BootMode3Ext::Response, Maybe<msg::Reset>>);
+static_assert(std::same_as<msg::AhrsHelperRequestExt::Response, Maybe<msg::AhrsHelper>>);
 static_assert(
-    std::same_as<sbgc::msg::AhrsHelperRequestExt::Response, Maybe<sbgc::msg::AhrsHelper>>);
-static_assert(std::same_as<sbgc::msg::ReadFileRequest::Response,
-                           TypeList<sbgc::msg::ReadFile, sbgc::msg::ReadFileError>>);
-static_assert(std::is_void_v<sbgc::msg::MotorsOn::Response>);
-static_assert(std::is_void_v<sbgc::msg::ResetRequest::Response>);
-static_assert(std::is_void_v<sbgc::msg::SetAdjVarsVal::Response>, "a request in both directions");
-static_assert(!HasResponse<sbgc::msg::BoardInfo>);
-static_assert(std::same_as<ResponseMessages<sbgc::msg::BootMode3Ext>, TypeList<sbgc::msg::Reset>>);
-static_assert(std::same_as<ResponseMessages<sbgc::msg::MotorsOn>, TypeList<>>);
-static_assert(response_policy(sbgc::msg::BoardInfoRequest{}).response_required,
-              "known at compile time");
-
-static_assert(std::same_as<sbgc::roles::Confirmation, sbgc::msg::Confirm>);
-static_assert(
-    std::same_as<sbgc::roles::BoardError, sbgc::TypeList<sbgc::msg::Error, sbgc::msg::ErrorExt>>);
-static_assert(std::same_as<sbgc::roles::ErrorReason, sbgc::msg::BoardErrorCode>);
-static_assert(std::same_as<sbgc::roles::Reset, sbgc::msg::Reset>);
-static_assert(std::same_as<sbgc::roles::Introduction, sbgc::msg::BoardInfo>);
-static_assert(std::same_as<sbgc::roles::IntroductionRequest, sbgc::msg::BoardInfoRequest>);
-static_assert(std::same_as<sbgc::roles::StreamRequest, sbgc::msg::DataStreamInterval>);
+    std::same_as<msg::ReadFileRequest::Response, TypeList<msg::ReadFile, msg::ReadFileError>>);
+static_assert(std::is_void_v<msg::ResetRequest::Response>);
+static_assert(std::is_void_v<msg::SetAdjVarsVal::Response>, "a request in both directions");
+static_assert(!HasResponse<msg::BoardInfo>);
+static_assert(std::same_as<ResponseMessages<msg::BootMode3Ext>, TypeList<msg::Reset>>);
+static_assert(response_policy(msg::BoardInfoRequest{}).response_required, "known at compile time");
 
 TEST(Roles, OfFrames) {
   const std::vector<std::uint8_t> bytes = {77, 1, 2, 3, 4, 5, 6};
   const auto frame = [&](int id, std::size_t size) {
-    return sbgc::Frame{static_cast<std::uint8_t>(id), std::span(bytes).first(size), 0};
+    return Frame{static_cast<std::uint8_t>(id), std::span(bytes).first(size), 0};
   };
-  EXPECT_FALSE(sbgc::roles::is_confirmation(frame(67, 0)));
-  EXPECT_TRUE(sbgc::roles::is_confirmation(frame(67, 1)));
-  EXPECT_EQ(sbgc::roles::confirmed_command(frame(67, 6)), 77);
-  EXPECT_FALSE(sbgc::roles::is_error(frame(255, 4)));
-  EXPECT_TRUE(sbgc::roles::is_error(frame(255, 5)));
-  EXPECT_EQ(sbgc::roles::failed_command(frame(255, 5)), 0);
-  EXPECT_EQ(sbgc::roles::failed_command(frame(255, 6)), 77);
-  EXPECT_EQ(sbgc::roles::error_reason(frame(255, 5)), sbgc::roles::ErrorReason{77});
-  EXPECT_EQ(sbgc::roles::error_reason(frame(255, 6)), sbgc::roles::ErrorReason{1});
-  EXPECT_TRUE(sbgc::roles::is_reset(frame(114, 0)));
-  EXPECT_FALSE(sbgc::roles::is_reset(frame(67, 1)));
+  EXPECT_FALSE(roles::is_confirmation(frame(67, 0)));
+  EXPECT_TRUE(roles::is_confirmation(frame(67, 1)));
+  EXPECT_EQ(roles::confirmed_command(frame(67, 6)), 77);
+  EXPECT_FALSE(roles::is_error(frame(255, 4)));
+  EXPECT_TRUE(roles::is_error(frame(255, 5)));
+  EXPECT_EQ(roles::failed_command(frame(255, 5)), 0);
+  EXPECT_EQ(roles::failed_command(frame(255, 6)), 77);
+  EXPECT_EQ(roles::error_reason(frame(255, 5)), roles::ErrorReason{77});
+  EXPECT_EQ(roles::error_reason(frame(255, 6)), roles::ErrorReason{1});
+  EXPECT_TRUE(roles::is_reset(frame(114, 0)));
+  EXPECT_FALSE(roles::is_reset(frame(67, 1)));
 }
 
 TEST(Roles, SayWhyARequestFailed) {
   const auto code = [](std::uint8_t id, std::vector<std::uint8_t> body) {
-    return sbgc::roles::failure_code({id, body, 0});
+    return roles::failure_code({id, body, 0});
   };
   EXPECT_EQ(code(255, {2, 0, 0, 0, 0}), 2U) << "CMD_ERROR";
   EXPECT_EQ(code(255, {73, 6, 0, 0, 0, 0}), 6U) << "CMD_ERROR that names the command";
@@ -351,19 +309,20 @@ TEST(Roles, SayWhyARequestFailed) {
   EXPECT_EQ(code(86, {7}), 0U);
 }
 
-static_assert(sbgc::default_line == sbgc::LineSettings{115200, sbgc::Parity::none});
-static_assert(sbgc::SessionCapacity{}.streams == 10, "firmware 2.59 has no more");
+static_assert(default_line == LineSettings{115200, Parity::none});
+static_assert(SessionCapacity{}.streams == 10, "firmware 2.59 has no more");
 
 TEST(LineFacts, AreThoseOfTheSpecification) {
-  const std::span rates(sbgc::baud_rates);
+  const std::span rates(baud_rates);
   EXPECT_THAT(std::vector(rates.begin(), rates.begin() + 6),
               ElementsAre(115200, 57600, 38400, 19200, 9600, 256000));
-  EXPECT_EQ(sbgc::named_baud_rates, 6U);
-  EXPECT_THAT(sbgc::parities, ElementsAre(sbgc::Parity::none, sbgc::Parity::even));
-  EXPECT_EQ(sbgc::shortest_pause_ms, 10U);
-  EXPECT_EQ(sbgc::longest_pause_ms, 20U);
-  EXPECT_EQ(number_of(sbgc::msg::SerialSpeed::baud_19200), 19200U);
-  EXPECT_EQ(number_of(static_cast<sbgc::msg::SerialSpeed>(77)), 0U);
+  EXPECT_EQ(named_baud_rates, 6U);
+  EXPECT_THAT(parities, ElementsAre(Parity::none, Parity::even));
+  EXPECT_EQ(shortest_pause_ms, 10U);
+  EXPECT_EQ(longest_pause_ms, 20U);
+  EXPECT_EQ(number_of(msg::SerialSpeed::baud_19200), 19200U);
+  EXPECT_EQ(number_of(static_cast<msg::SerialSpeed>(77)), 0U);
 }
 
 }  // namespace
+}  // namespace sbgc::test

@@ -1,29 +1,11 @@
 // Tests of requests that the board answers with a series of messages and a last one.
 
-#include <cstddef>
-#include <cstdint>
-
-#include <gtest/gtest.h>
-
-#include <sbgc/responses/calibration.hpp>
-#include <sbgc/responses/realtime.hpp>
-#include <sbgc/session.hpp>
-
-#include "commands.hpp"
 #include "simulation.hpp"
 
+namespace sbgc::test {
 namespace {
 
-using sbgc::Duration;
-using sbgc::EventKind;
-using sbgc::Handle;
-using sbgc::milliseconds;
-using sbgc::Outcome;
-using sbgc::seconds;
-using simulation::body_of;
-using simulation::Record;
-using simulation::Simulation;
-using simulation::Written;
+using Series = LineTest;
 
 constexpr std::uint8_t test = 37;  // the start and the end of a recording
 constexpr std::uint8_t data = 38;
@@ -46,7 +28,7 @@ std::size_t in_series(const Line& line, Handle handle) {
   return count;
 }
 
-TEST(Series, EndsWithTheResponseHoweverLongItTakes) {
+TEST(SeriesRules, EndsWithTheResponseHoweverLongItTakes) {
   for (const int confirmed_after : {3, 1500, 0}) {  // before the data, after the first, never
     Simulation line;
     line.board = [&](const Written&) {
@@ -54,7 +36,7 @@ TEST(Series, EndsWithTheResponseHoweverLongItTakes) {
       say_data(line, 9, milliseconds(1000));
       line.say(test, body_of(22), milliseconds(10500));
     };
-    const Handle handle = line.send(sbgc::msg::BodeTestStartStopRequest{});
+    const Handle handle = line.send(msg::BodeTestStartStopRequest{});
     line.run();
     EXPECT_EQ(line.outcome(handle), Outcome::answered);
     EXPECT_EQ(in_series(line, handle), 9U);
@@ -64,7 +46,7 @@ TEST(Series, EndsWithTheResponseHoweverLongItTakes) {
   }
 }
 
-TEST(Series, IsOverAfterSilence) {
+TEST(SeriesRules, IsOverAfterSilence) {
   for (const bool is_confirmed : {false, true}) {
     Simulation line;
     line.board = [&](const Written&) {
@@ -72,76 +54,70 @@ TEST(Series, IsOverAfterSilence) {
       say_data(line, 3, milliseconds(is_confirmed ? 3500 : 1500));
       line.say(test, body_of(22), milliseconds(9000));  // too late
     };
-    const Handle handle = line.send(sbgc::msg::BodeTestStartStopRequest{});
+    const Handle handle = line.send(msg::BodeTestStartStopRequest{});
     line.run();
     EXPECT_EQ(line.outcome(handle), Outcome::timeout);
     EXPECT_EQ(in_series(line, handle), 3U);
-    const Duration after = line.completion(handle)->at - simulation::start;
+    const Duration after = line.completion(handle)->at - start_time;
     EXPECT_EQ(after, milliseconds(is_confirmed ? 7500 : 5500)) << after.us;
     EXPECT_EQ(line.written.size(), 1U) << "never repeated";
   }
 }
 
-TEST(Series, WithoutEndIsLimited) {
-  Simulation line;
+TEST_F(Series, WithoutEndIsLimited) {
   line.board = [&](const Written&) { say_data(line, 3800, milliseconds(500)); };
-  const Handle handle = line.send(sbgc::msg::BodeTestStartStopRequest{});
+  const Handle handle = line.send(msg::BodeTestStartStopRequest{});
   line.run();
   EXPECT_EQ(line.outcome(handle), Outcome::timeout);
-  const Duration after = line.completion(handle)->at - simulation::start;
+  const Duration after = line.completion(handle)->at - start_time;
   EXPECT_GE(after, seconds(3600));
   EXPECT_LT(after, seconds(3601));
 }
 
-TEST(Series, MayBeRefused) {
-  Simulation line;
-  line.board = [&](const Written&) { line.say(commands::error, body_of(6, {test, 3})); };
-  const Handle handle = line.send(sbgc::msg::BodeTestStartStopRequest{});
-  line.run();
-  EXPECT_EQ(line.outcome(handle), Outcome::board_error);
+TEST_F(Series, MayBeRefused) {
+  line.board = [&](const Written&) { line.say(error, body_of(6, {test, 3})); };
+  EXPECT_EQ(line.ask(msg::BodeTestStartStopRequest{}), Outcome::board_error);
 }
 
-TEST(Series, OfNoRequestIsUnsolicited) {
-  Simulation line;
+TEST_F(Series, OfNoRequestIsUnsolicited) {
   line.board = [&](const Written&) {
     line.say(data, body_of(17));
-    line.say(commands::realtime_data_4, body_of(124), milliseconds(5));
+    line.say(realtime_data_4, body_of(124), milliseconds(5));
   };
-  line.send(sbgc::msg::RealtimeData4Request{});
+  line.send(msg::RealtimeData4Request{});
   line.run();
   EXPECT_EQ(line.session.statistics().unsolicited, 1U);
   EXPECT_EQ(line.events.front().event.kind, EventKind::unsolicited);
   EXPECT_FALSE(line.events.front().event.handle);
 }
 
-TEST(Series, OtherRequestsAreAnsweredMeanwhile) {
-  Simulation line;
+TEST_F(Series, OtherRequestsAreAnsweredMeanwhile) {
   line.board = [&](const Written& frame) {
-    if (frame.id != test) return line.say(commands::realtime_data_4, body_of(124));
+    if (frame.id != test) return line.say(realtime_data_4, body_of(124));
     say_data(line, 4, milliseconds(1000));
     line.say(test, body_of(22), milliseconds(4500));
   };
-  const Handle recording = line.send(sbgc::msg::BodeTestStartStopRequest{});
+  const Handle recording = line.send(msg::BodeTestStartStopRequest{});
   line.run_for(milliseconds(2500));
-  const Handle other = line.send(sbgc::msg::RealtimeData4Request{});
+  const Handle other = line.send(msg::RealtimeData4Request{});
   line.run_for(milliseconds(100));
   EXPECT_EQ(line.outcome(other), Outcome::answered);
   line.run();
   EXPECT_EQ(line.outcome(recording), Outcome::answered);
 }
 
-TEST(Series, ASessionForOneRequestDoesNotKnowThem) {
-  using Small =
-      sbgc::BasicSession<sbgc::SessionCapacity{.requests = 1, .optimize = sbgc::Optimize::size}>;
-  simulation::Basic<Small> line;
+TEST(SeriesRules, ASessionForOneRequestDoesNotKnowThem) {
+  using Small = BasicSession<SessionCapacity{.requests = 1, .optimize = Optimize::size}>;
+  Basic<Small> line;
   line.board = [&](const Written&) {
     say_data(line, 5, milliseconds(1000));
     line.say(test, body_of(22), milliseconds(6500));
   };
-  const Handle handle = line.send(sbgc::msg::BodeTestStartStopRequest{});
+  const Handle handle = line.send(msg::BodeTestStartStopRequest{});
   line.run();
   EXPECT_EQ(line.outcome(handle), Outcome::timeout);
   EXPECT_EQ(in_series(line, handle), 0U);
 }
 
 }  // namespace
+}  // namespace sbgc::test

@@ -1,31 +1,60 @@
 /// A session and a scripted peer on an in-memory line, in virtual time.
 #pragma once
 
-#include <cstddef>
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <functional>
-#include <initializer_list>
 #include <map>
 #include <optional>
+#include <random>
+#include <set>
 #include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <sbgc/frame.hpp>
 #include <sbgc/parser.hpp>
+#include <sbgc/responses/all.hpp>
 #include <sbgc/session.hpp>
 
-namespace simulation {
+namespace sbgc::test {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+using ::testing::UnorderedElementsAre;
+
+// Command ids of the protocol, as listed in the specification.
+inline constexpr std::uint8_t read_params_3 = 21;
+inline constexpr std::uint8_t write_params_3 = 22;
+inline constexpr std::uint8_t realtime_data_4 = 25;
+inline constexpr std::uint8_t i2c_read = 40;
+inline constexpr std::uint8_t eeprom_write = 47;
+inline constexpr std::uint8_t eeprom_read = 48;
+inline constexpr std::uint8_t read_file = 53;
+inline constexpr std::uint8_t write_file = 54;
+inline constexpr std::uint8_t control = 67;
+inline constexpr std::uint8_t confirm = 67;
+inline constexpr std::uint8_t motors_on = 77;
+inline constexpr std::uint8_t motors_off = 109;
+inline constexpr std::uint8_t stream_interval = 85;
+inline constexpr std::uint8_t board_info = 86;
+inline constexpr std::uint8_t realtime_data_custom = 88;
+inline constexpr std::uint8_t calib_gyro = 103;
+inline constexpr std::uint8_t reset = 114;
+inline constexpr std::uint8_t error = 255;
 
 using Body = std::vector<std::uint8_t>;
 
-inline constexpr sbgc::Instant start = sbgc::Instant{} + sbgc::seconds(1000);
+inline constexpr Instant start_time = Instant{} + seconds(1000);
 
-inline Body frame_of(std::uint8_t id, const Body& body,
-                     sbgc::Framing framing = sbgc::basic_framing) {
-  Body frame(sbgc::max_frame_size);
-  frame.resize(sbgc::write_frame(framing, id, body, frame).size);
+inline Body frame_of(std::uint8_t id, const Body& body, Framing framing = basic_framing) {
+  Body frame(max_frame_size);
+  frame.resize(write_frame(framing, id, body, frame).size);
   return frame;
 }
 
@@ -37,19 +66,26 @@ inline Body body_of(std::size_t size, std::initializer_list<int> begin = {}) {
   return body;
 }
 
+/// Returns a request for a stream, or for its end.
+template <class Command>
+msg::DataStreamInterval stream_of(Command command, std::uint16_t interval_ms) {
+  return {.cmd_id = static_cast<msg::CommandFromBoard>(command),
+          .interval_ms = msg::Milliseconds(interval_ms)};
+}
+
 /// An event with a copy of its body.
 struct Record {
-  sbgc::Event event;
+  Event event;
   Body body;
-  sbgc::Instant at;
+  Instant at;
 };
 
 /// A frame written by the session.
 struct Written {
   std::uint8_t id;
   Body body;
-  sbgc::Instant at;
-  sbgc::Framing framing = sbgc::basic_framing;
+  Instant at;
+  Framing framing = basic_framing;
 };
 
 /// Returns the ids of frames.
@@ -62,61 +98,69 @@ inline std::vector<std::uint8_t> ids(const std::vector<Written>& written) {
 
 /// Runs a session until no more events are pending. Its frames go to `board`, which responds with
 /// say(). Time passes only inside run() and run_for().
-template <class Session = sbgc::Session>
+template <class Session = Session>
 class Basic {
  public:
-  explicit Basic(const sbgc::SessionOptions& options = {}) : session(options) {}
+  explicit Basic(const SessionOptions& options = {}) : session(options) {}
 
   Session session;
-  sbgc::Instant now = start;
+  Instant now = start_time;
   std::function<void(const Written&)> board = [](const Written&) {};
   std::function<void(const Record&)> on_event = [](const Record&) {};
   std::vector<Record> events;
   std::vector<Written> written;
-  sbgc::Duration late{};  ///< how late the owner of the session is
+  Duration late{};  ///< how late the owner of the session is
 
   /// Delivers bytes of the peer after `delay`.
-  void say_bytes(const Body& bytes, sbgc::Duration delay = sbgc::milliseconds(3)) {
+  void say_bytes(const Body& bytes, Duration delay = milliseconds(3)) {
     incoming_.emplace((now + delay).us, bytes);
   }
-  void say(std::uint8_t id, const Body& body, sbgc::Duration delay = sbgc::milliseconds(3)) {
+  void say(std::uint8_t id, const Body& body, Duration delay = milliseconds(3)) {
     say_bytes(frame_of(id, body), delay);
   }
   /// Sends a confirmation of `command`.
-  void confirm(std::uint8_t command, sbgc::Duration delay = sbgc::milliseconds(3)) {
+  void confirm(std::uint8_t command, Duration delay = milliseconds(3)) {
     say(67, {command}, delay);
   }
 
   /// Discards the peer's bytes that would arrive at `end` or later.
-  void fall_silent_at(sbgc::Instant end) {
+  void fall_silent_at(Instant end) {
     incoming_.erase(incoming_.lower_bound(end.us), incoming_.end());
   }
 
   template <class M>
-  sbgc::Handle send(const M& request, const sbgc::SendOptions& options = {}) {
-    const sbgc::SendResult result = session.send(request, options);
+  Handle send(const M& request, const SendOptions& options = {}) {
+    const SendResult result = session.send(request, options);
     EXPECT_TRUE(result) << "the session rejected a request";
     return result.handle;
   }
 
+  /// Sends a request and runs until no more events are pending; returns the outcome.
+  template <class M>
+  Outcome ask(const M& request, const SendOptions& options = {}) {
+    const Handle handle = send(request, options);
+    run();
+    return outcome(handle);
+  }
+
   /// Runs for `duration`.
-  void run_for(sbgc::Duration duration) { run_until(now + duration); }
+  void run_for(Duration duration) { run_until(now + duration); }
 
   /// Runs until no more events are pending.
-  void run() { run_until(sbgc::Instant::never); }
+  void run() { run_until(Instant::never); }
 
-  void run_until(sbgc::Instant end) {
+  void run_until(Instant end) {
     for (std::size_t steps = 0; steps < 1'000'000; ++steps) {
-      const sbgc::Output output = session.poll(now, sink());
+      const Output output = session.poll(now, sink());
       if (!output.bytes.empty()) {
         write(output.bytes);
         continue;
       }
       ASSERT_GT(output.deadline, now) << "poll() would be called again and again";
-      sbgc::Instant next = output.deadline;
-      if (!incoming_.empty()) next = sbgc::earlier(next, {incoming_.begin()->first});
-      if (next > end || next == sbgc::Instant::never) {
-        if (end != sbgc::Instant::never) now = end;
+      Instant next = output.deadline;
+      if (!incoming_.empty()) next = earlier(next, {incoming_.begin()->first});
+      if (next > end || next == Instant::never) {
+        if (end != Instant::never) now = end;
         return;
       }
       now = earlier(next + late, end);
@@ -130,16 +174,16 @@ class Basic {
   }
 
   /// Returns the outcome of a request; Outcome::none if it is open. Ending twice fails the test.
-  sbgc::Outcome outcome(sbgc::Handle handle) const {
+  Outcome outcome(Handle handle) const {
     const Record* const record = completion(handle);
-    return record == nullptr ? sbgc::Outcome::none : record->event.outcome;
+    return record == nullptr ? Outcome::none : record->event.outcome;
   }
 
   /// Returns the `completed` event of a request, or null.
-  const Record* completion(sbgc::Handle handle) const {
+  const Record* completion(Handle handle) const {
     const Record* found = nullptr;
     for (const Record& record : events) {
-      if (record.event.kind != sbgc::EventKind::completed || record.event.handle != handle) {
+      if (record.event.kind != EventKind::completed || record.event.handle != handle) {
         continue;
       }
       EXPECT_EQ(found, nullptr) << "completed twice";
@@ -149,7 +193,7 @@ class Basic {
   }
 
   /// Returns the events of one kind.
-  std::vector<Record> of(sbgc::EventKind kind) const {
+  std::vector<Record> of(EventKind kind) const {
     std::vector<Record> found;
     for (const Record& record : events) {
       if (record.event.kind == kind) found.push_back(record);
@@ -159,7 +203,7 @@ class Basic {
 
   /// Returns a sink that records events.
   auto sink() {
-    return [this](const sbgc::Event& event) {
+    return [this](const Event& event) {
       Record record{event, {event.frame.body.begin(), event.frame.body.end()}, now};
       record.event.frame.body = {};
       events.push_back(record);
@@ -170,8 +214,8 @@ class Basic {
  private:
   void write(std::span<const std::uint8_t> bytes) {
     std::optional<Written> frame;
-    sbgc::ParserOfAll parser;
-    parser.feed(bytes, [&](const sbgc::Frame& found) {
+    ParserOfAll parser;
+    parser.feed(bytes, [&](const Frame& found) {
       frame = Written{found.id, {found.body.begin(), found.body.end()}, now, found.framing};
     });
     ASSERT_TRUE(frame) << "not exactly one complete frame";
@@ -184,4 +228,20 @@ class Basic {
 
 using Simulation = Basic<>;
 
-}  // namespace simulation
+/// A test with a session and its peer.
+class LineTest : public ::testing::Test {
+ protected:
+  /// From now on, the board confirms each request.
+  void confirm_all() {
+    line.board = [this](const Written& frame) { line.confirm(frame.id); };
+  }
+
+  /// Returns the time between the frame with this index and the one before.
+  Duration gap(std::size_t index) const {
+    return line.written.at(index).at - line.written.at(index - 1).at;
+  }
+
+  Simulation line;
+};
+
+}  // namespace sbgc::test

@@ -6,13 +6,8 @@
 
 #include <sbgc/time.hpp>
 
+namespace sbgc::test {
 namespace {
-
-using sbgc::Duration;
-using sbgc::Instant;
-using sbgc::microseconds;
-using sbgc::milliseconds;
-using sbgc::seconds;
 
 constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
 constexpr std::int64_t least = std::numeric_limits<std::int64_t>::min();
@@ -25,8 +20,8 @@ static_assert(milliseconds(20) * 3 == milliseconds(60));
 static_assert(Instant{5} + microseconds(7) == Instant{12});
 static_assert(Instant{5} - microseconds(7) == Instant{-2});
 static_assert(Instant{5} - Instant{7} == microseconds(-2));
-static_assert(sbgc::earlier({1}, {2}) == Instant{1} && sbgc::earlier({2}, {1}) == Instant{1});
-static_assert(sbgc::later({1}, {2}) == Instant{2} && sbgc::later({2}, {1}) == Instant{2});
+static_assert(earlier({1}, {2}) == Instant{1} && earlier({2}, {1}) == Instant{1});
+static_assert(later({1}, {2}) == Instant{2} && later({2}, {1}) == Instant{2});
 
 TEST(Time, StopsAtItsEnds) {
   EXPECT_EQ(Instant::never + seconds(1), Instant::never);
@@ -47,3 +42,4 @@ TEST(Time, NothingIsLaterThanNever) {
 }
 
 }  // namespace
+}  // namespace sbgc::test
