@@ -97,9 +97,9 @@ def test_control_characters_and_other_bytes_are_not_offered(tmp_path: Path) -> N
         *(f"z{i}\ta?{'[31m' if i == 4 else ''}b".encode() for i in range(1, len(others))),
     ]
     file = tmp_path / "config.toml"
-    file.write_bytes(
-        b"[gimbal.'x\x1bz']\nport='a'\n[gimbal.x\xff]\nport='a'\n"
-        b"[gimbal.'x$(touch P)']\nport='\x1b[31m\xff'\n"
+    file.write_text(
+        '[gimbal."x\\u001bz"]\nport="a"\n[gimbal."x\\u009b"]\nport="a"\n'
+        '[gimbal."x$(touch P)"]\nport="\\u001b[31m\\u009b"\n'
     )
     assert completed("info", "-g", "", SBGC_CONFIG=str(file)) == [b"x$(touch P)\t?[31m?"]
     assert completed("stream", "RealtimeData4", "--fields", "\x1b[31m,") == []

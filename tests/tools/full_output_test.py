@@ -23,6 +23,7 @@ from relay import relay_to
 from sbgc_command import PROGRAM, frame, run
 
 CONTROL = 67
+AUTO_PID = 35
 BOARD_INFO = 86
 SOON = 0.1
 """Seconds from a signal to the stop at the board."""
@@ -157,6 +158,8 @@ def test_a_signal_stops_the_camera(
                 keyboard = output.descriptor if name == "jog" else subprocess.DEVNULL
                 with running(*arguments, output=output, stdin=keyboard) as process:
                     with held_key(output.reader) if name == "jog" else nullcontext():
+                        if name == "tune":
+                            board.await_command(AUTO_PID)
                         observer.await_motion()
                         output.become_full()
                         time.sleep(0.3)  # until the command has written something

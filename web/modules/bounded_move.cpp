@@ -47,19 +47,12 @@ Task<Result<void>> approach(MoveTarget target, MoveOptions options, detail::Boun
   Axes<msg::ControlSpeed> speeds{};
   bool has_begun = false;
   int still_polls = 0;
+  Instant sent = start;
   const double fastest = options.speed.degrees_per_second();
   while (true) {
     const Result<msg::GetAngles> state = co_await tasks::call(msg::GetAnglesRequest{});
     if (!state) co_return state.error();
-    const bool turns = is_turning(*state, speeds);
-    has_begun = has_begun || turns;
-    still_polls = turns ? 0 : still_polls + 1;
-    if (has_begun && still_polls == 2) {
-      co_return ClientError{ErrorCode::interrupted,
-                            "another program, RC, a limit or the control timeout has stopped the "
-                            "camera"};
-    }
-    speeds = {};
+    Axes<msg::ControlSpeed> next{};
     bool is_near = true;
     bool has_turned = false;
     if (!before) before = *state;
@@ -72,10 +65,19 @@ Task<Result<void>> approach(MoveTarget target, MoveOptions options, detail::Boun
       if (std::abs(way) <= short_way) continue;
       is_near = false;
       const double speed = std::clamp(std::abs(way) * speed_per_degree, least_speed, fastest);
-      speeds[i] =
-          msg::ControlSpeed::from_degrees_per_second(std::copysign(speed, way)).value_or({});
+      next[i] = msg::ControlSpeed::from_degrees_per_second(std::copysign(speed, way)).value_or({});
     }
     if (is_near) co_return Result<void>();
+    const bool turns = is_turning(*state, speeds);
+    has_begun = has_begun || turns;
+    // The bound of a late command ends the motion, too.
+    const bool is_stopped = has_begun && !turns && task.now() - sent < detail::duration_of(bound);
+    still_polls = is_stopped ? still_polls + 1 : 0;
+    if (still_polls == 2) {
+      co_return ClientError{ErrorCode::interrupted,
+                            "another program, RC, a limit or the control timeout has stopped the "
+                            "camera"};
+    }
     if (!has_turned && task.now() - start >= patience) {
       co_return ClientError{ErrorCode::timeout,
                             "the camera did not begin to turn; are the motors on?"};
@@ -83,6 +85,13 @@ Task<Result<void>> approach(MoveTarget target, MoveOptions options, detail::Boun
     if (task.now() >= end) {
       co_return ClientError{ErrorCode::timeout, "the camera has not arrived in time"};
     }
+    if (is_stopped) {  // a command could undo the stop of another program
+      const Result<void> waited = co_await tasks::wait_until(task.now() + interval);
+      if (!waited) co_return waited;
+      continue;
+    }
+    speeds = next;
+    sent = task.now();
     if (Result<void> turned = co_await motion.turn(speeds); !turned) co_return turned;
     const Result<void> waited = co_await tasks::wait_until(task.now() + interval);
     if (!waited) co_return waited;
