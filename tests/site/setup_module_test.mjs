@@ -66,6 +66,11 @@ for (const [board, firmware] of [[30, 2590], [36, 2745]]) {
     const same = client.plan(Object.fromEntries(all.map(({ name, text }) => [name, text])), 1);
     assert.deepEqual(same, { changes: [], problems: [], remarks: [] });
 
+    const wanted = { gyro_trust: "60", serial_speed: "BAUD_57600", rc_deadband: "33" };
+    const mixed = client.plan(Object.fromEntries(Object.entries(wanted).map(([name, value]) => [`ReadParams3.${name}`, value])), 1);
+    const order = mixed.changes.map(({ name, line }) => [name.split(".")[1], line]);
+    assert.deepEqual(order, [["gyro_trust", false], ["rc_deadband", false], ["serial_speed", true]], JSON.stringify(mixed));
+
     let written = 0;
     for (const { name, parameters } of await client.profile(1)) {
       const pairs = parameters.map((one) => [one.name, other(one)]).filter(([, value]) => value !== undefined);

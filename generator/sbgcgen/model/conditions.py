@@ -75,7 +75,7 @@ class Condition:
 
     @property
     def subject(self) -> str:
-        """The values that it depends on."""
+        """The value that it depends on."""
         return f"{self.source}.{self.part.name}" if self.part else self.source
 
     @property

@@ -21,7 +21,7 @@ class PendingCalls {
   /// At most `most_waiting` calls wait for room in the session, besides stops.
   explicit PendingCalls(std::size_t most_waiting) : most_waiting_(most_waiting) {}
 
-  /// The calls that a new one supersedes: they were taken out, and how to tell the tasks.
+  /// The calls that a new one supersedes, taken out, and functions that tell the tasks.
   struct Superseded {
     std::vector<CallPointer> calls{};
     MotionOrder::Calls tasks{};

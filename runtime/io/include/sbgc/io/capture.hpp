@@ -140,7 +140,7 @@ class CaptureParser {
   detail::RangeCrc32 checksums_;         // of the buffer's first bytes, at least while searching
 };
 
-/// A record for CaptureWriter.
+/// The format that CaptureWriter writes.
 enum class CaptureFormat : std::uint8_t {
   sbgc,    ///< see above
   pcapng,  ///< for Wireshark (see pcapng.hpp); a note is a comment of the next packet
