@@ -11,6 +11,7 @@ import select
 import signal
 import socket
 import subprocess
+import tempfile
 import threading
 import time
 from collections.abc import Iterator
@@ -112,15 +113,18 @@ class Terminal:
     """A small shell that runs a command in a terminal."""
 
     def __init__(self, *arguments: str) -> None:
-        self.shell, self.screen = pty.fork()
-        if self.shell == 0:
-            os.execv("/bin/sh", ["sh", "-c", '"$@"; exit $?', "sh", PROGRAM, *arguments])
-        children = Path(f"/proc/{self.shell}/task/{self.shell}/children")
-        deadline = time.monotonic() + PATIENCE
-        while not (found := children.read_text().split()):
-            assert time.monotonic() < deadline
-            time.sleep(0.01)
-        self.command = int(found[0])
+        with tempfile.NamedTemporaryFile("r") as process:
+            own = f'echo $$ >{process.name}; exec "$@"'
+            self.shell, self.screen = pty.fork()
+            if self.shell == 0:
+                words = ["sh", "-c", '"$@"; exit $?', "sh", "sh", "-c", own, "sh", PROGRAM]
+                os.execv("/bin/sh", [*words, *arguments])
+            deadline = time.monotonic() + PATIENCE
+            while not (line := process.read()).endswith("\n"):
+                assert time.monotonic() < deadline
+                process.seek(0)
+                time.sleep(0.01)
+        self.command = int(line)
 
     def await_text(self, text: bytes) -> None:
         shown = b""
