@@ -24,6 +24,7 @@
 
 namespace sbgc::tools {
 
+/// Metrics on their way to Prometheus, by their names.
 class Families {
  public:
   using ClientMetric = prometheus::ClientMetric;

@@ -29,7 +29,8 @@
 
 namespace sbgc::tools {
 
-/// Thread-safe. Topics are taken in the order in which they became new, so that none starves.
+/// The newest payload of each topic, for a reader that may be slower than the writers. Thread-safe.
+/// Topics are taken in the order in which they became new, so that none starves.
 class LatestByTopic {
  public:
   struct Entry {

@@ -22,7 +22,8 @@ namespace sbgc::tools {
 
 namespace {
 
-/// A header before the driver changed it.
+/// A header before the driver of a serial port changed it, which removes some bytes and turns 0x0d
+/// into 0x0a unless the port is in raw mode.
 struct ChangedHeader {
   std::uint8_t id{};
   std::uint8_t size{};

@@ -1,5 +1,3 @@
-// The guard process.
-
 #include "move/guard.hpp"
 
 #include <algorithm>
