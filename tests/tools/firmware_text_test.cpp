@@ -1,6 +1,6 @@
-#include "values/firmware_text.hpp"
-
 #include <gtest/gtest.h>
+
+#include "values/field_text.hpp"
 
 namespace sbgc::tools {
 namespace {

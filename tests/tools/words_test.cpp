@@ -1,13 +1,13 @@
 // Lines of commands as words.
 
-#include "shell/words.hpp"
-
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "shell/line_editor.hpp"
 
 namespace sbgc::tools {
 

@@ -11,7 +11,7 @@
 
 #include "board/connection.hpp"
 #include "board/progress_bar.hpp"
-#include "command/arming.hpp"
+#include "command/common_options.hpp"
 #include "command/interruption.hpp"
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"

@@ -23,9 +23,7 @@
 
 #include "hosts/fewer_reports.hpp"
 #include "hosts/host_ports.hpp"
-#include "share/host_places.hpp"
-#include "share/host_stops.hpp"
-#include "share/request_owners.hpp"
+#include "share/bridge_hosts.hpp"
 
 namespace sbgc::tools {
 

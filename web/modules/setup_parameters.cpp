@@ -15,7 +15,7 @@
 #include "modules/settable_text.hpp"
 #include "modules/setup.hpp"
 #include "parameters/parameter_blocks.hpp"
-#include "parameters/vendor_elements.hpp"
+#include "parameters/vendor_file.hpp"
 #include "parameters/vendor_values.hpp"
 #include "values/search_words.hpp"
 

@@ -11,8 +11,8 @@
 #include <sbgc/messages/scripting.hpp>
 
 #include "board/connection.hpp"
-#include "command/arming.hpp"
 #include "command/background_output.hpp"
+#include "command/common_options.hpp"
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"
 #include "command/wording.hpp"
