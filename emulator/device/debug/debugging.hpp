@@ -1,4 +1,5 @@
-/// Copies of the messages on other ports, for hosts that request them.
+/// What hosts use for debugging: internal variables of the board, and copies of the messages on
+/// other ports.
 #pragma once
 
 #include <array>
@@ -8,11 +9,19 @@
 #include <sbgc/emulator/board.hpp>
 #include <sbgc/enums.hpp>
 #include <sbgc/frame.hpp>
+#include <sbgc/messages/debug.hpp>
+#include <sbgc/time.hpp>
 #include <sbgc/units.hpp>
 
 namespace sbgc::emulator {
 
 class Ports;
+struct MeasuredParts;
+
+/// The names and types, which never change.
+msg::DebugVarsInfo3 debug_variables_info(std::size_t first = 0);
+/// The values, in the same order.
+msg::DebugVars3 debug_variable_values(MeasuredParts& parts, Instant now);
 
 /// CMD_SET_DEBUG_PORT. Assumption: a copy is lost if there is no room for it.
 class DebugCopies {

@@ -1,14 +1,19 @@
-/// The state of the board that flags report.
+/// The state of the board that flags and events report.
 #pragma once
+
+#include <cstdint>
+#include <optional>
 
 #include <sbgc/emulator/gimbal.hpp>
 #include <sbgc/enums.hpp>
+#include <sbgc/messages/control.hpp>
 #include <sbgc/time.hpp>
 
 namespace sbgc::emulator {
 
 struct CalibrationParts;
 struct ControlParts;
+struct MenuParts;
 
 /// Switches of hosts and of menu actions, valid until the board restarts.
 struct Modes {
@@ -27,5 +32,29 @@ msg::StateFlags state_flags(Gimbal& gimbal, const Modes& modes, const Tuning& tu
 msg::CalibMode calibration_mode(const ControlParts& control, const CalibrationParts& calibration);
 /// The state of the motor power.
 msg::PowerState power_state(const ControlParts& control);
+
+/// Watches the state of the board and sends CMD_EVENT when it changes, to the hosts that have
+/// started a stream of such events.
+class Events {
+ public:
+  /// Sends an event now.
+  static void emit(MenuParts& parts, msg::EventId id, msg::EventType type);
+  /// Sends the events of the changes since the last call.
+  void watch(MenuParts& parts, Instant now);
+
+  Instant next() const { return next_; }
+  void advance(Instant now, MenuParts& parts);
+
+ private:
+  struct State {
+    bool motors_on{}, stopped{}, retracted{};
+    std::optional<std::uint8_t> script{};
+  };
+
+  static State state_of(const MenuParts& parts);
+
+  State state_{};
+  Instant next_ = Instant::never;
+};
 
 }  // namespace sbgc::emulator
