@@ -21,8 +21,7 @@
 #include <sbgc/parser.hpp>
 #include <sbgc/roles.hpp>
 
-#include "hosts/fewer_reports.hpp"
-#include "hosts/host_ports.hpp"
+#include "hosts/endpoint.hpp"
 #include "share/host_places.hpp"
 #include "share/host_stops.hpp"
 #include "share/request_owners.hpp"

@@ -14,8 +14,7 @@
 #include <sbgc/internal/parse_number.hpp>
 
 #include "modules/exchange.hpp"
-#include "modules/lines.hpp"
-#include "modules/times.hpp"
+#include "modules/page_values.hpp"
 #include "serving/faults.hpp"
 #include "serving/new_board.hpp"
 

@@ -30,8 +30,8 @@
 
 #include "frames/json_string.hpp"
 #include "modules/exchange.hpp"
-#include "modules/lines.hpp"
 #include "modules/message_form.hpp"
+#include "modules/page_values.hpp"
 #include "values/complete_message.hpp"
 #include "values/unnamed.hpp"
 

@@ -6,8 +6,7 @@
 
 #include "modules/client.hpp"
 #include "modules/exchange.hpp"
-#include "modules/lines.hpp"
-#include "modules/times.hpp"
+#include "modules/page_values.hpp"
 
 namespace sbgc::web {
 

@@ -1,4 +1,4 @@
-#include "reconnecting/adapter.hpp"
+#include "reconnecting/search.hpp"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,14 +1,18 @@
-/// Lets one thread wait for a value from another.
+/// What clients with threads need: a lock, and a way to wait for a value from another thread.
 #pragma once
 
 #include <chrono>
 #include <condition_variable>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <utility>
 
+#include "lock.hpp"
+
 namespace sbgc::detail {
 
+/// Lets one thread wait for a value from another.
 template <class T>
 class Waiter {
  public:
@@ -41,5 +45,16 @@ class Waiter {
   std::condition_variable ready_;
   std::optional<T> value_;
 };
+
+class Mutex final : public Lock {
+ public:
+  void lock() override { mutex_.lock(); }
+  void unlock() override { mutex_.unlock(); }
+
+ private:
+  std::recursive_mutex mutex_;
+};
+
+inline LockPointer make_mutex() { return std::make_unique<Mutex>(); }
 
 }  // namespace sbgc::detail

@@ -1,6 +1,11 @@
-/// How long tasks wait for a camera.
+/// What tasks of motion share: how long they wait for a camera, and the timeout of serial control.
 #pragma once
 
+#include <chrono>
+
+#include <sbgc/client/task.hpp>
+#include <sbgc/messages/control.hpp>
+#include <sbgc/result.hpp>
 #include <sbgc/time.hpp>
 
 namespace sbgc::detail {
@@ -10,5 +15,9 @@ namespace sbgc::detail {
 inline constexpr Duration patience = milliseconds(400);
 /// How long a camera must stand still to have stopped.
 inline constexpr Duration rest = milliseconds(500);
+
+/// Returns the request that sets the timeout and changes as little else as possible; its values
+/// come from the board, so do not validate them.
+Task<Result<msg::ControlConfig>> control_timeout_request(std::chrono::milliseconds timeout);
 
 }  // namespace sbgc::detail

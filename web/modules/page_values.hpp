@@ -1,8 +1,13 @@
-/// Input that consists of settings: NAME=VALUE.
+/// Values that a page passes: settings, NAME=VALUE, and times, which are microseconds as numbers of
+/// JavaScript.
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <string_view>
+
+#include <sbgc/time.hpp>
 
 #include "modules/exchange.hpp"
 
@@ -29,6 +34,14 @@ void for_each_setting(std::string_view text, Use&& use, char separator = '\n') {
     const std::string_view name = take_until('=', value);
     use(name, value);
   }
+}
+
+inline Instant at(double us) { return {static_cast<std::int64_t>(us)}; }
+
+/// Infinity for Instant::never.
+inline double in_us(Instant time) {
+  if (time == Instant::never) return std::numeric_limits<double>::infinity();
+  return static_cast<double>(time.us);
 }
 
 }  // namespace sbgc::web
