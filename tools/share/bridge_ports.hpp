@@ -22,6 +22,7 @@
 #include <sbgc/roles.hpp>
 
 #include "hosts/endpoint.hpp"
+#include "hosts/fewer_reports.hpp"
 #include "share/host_places.hpp"
 #include "share/host_stops.hpp"
 #include "share/request_owners.hpp"

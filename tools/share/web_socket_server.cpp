@@ -18,7 +18,7 @@
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
 
-#include "hosts/endpoint.hpp"
+#include "hosts/fewer_reports.hpp"
 #include "share/page_files.hpp"
 
 namespace sbgc::tools {

@@ -2,7 +2,6 @@
 /// bridge to a real one.
 #pragma once
 
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -10,7 +9,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <utility>
 
 #include <asio/any_io_executor.hpp>
 
@@ -109,24 +107,5 @@ std::unique_ptr<Endpoint> listen_udp(const asio::any_io_executor& executor, Host
 /// has ended and all output is written.
 std::unique_ptr<Endpoint> use_stdio(const asio::any_io_executor& executor, HostPorts& board,
                                     std::function<void(std::error_code)> on_end);
-
-/// Returns a function that passes on at most five texts in a second. Not thread-safe; copies of it
-/// count on their own. Anyone can make a server refuse connections as fast as they like: that must
-/// not fill its log.
-inline std::function<void(const std::string&)> with_fewer_reports(
-    std::function<void(const std::string&)> report) {
-  using Clock = std::chrono::steady_clock;
-  constexpr int most = 5;
-  return [report = std::move(report), begin = Clock::time_point{},
-          reports = 0](const std::string& text) mutable {
-    const auto now = Clock::now();
-    if (now - begin > std::chrono::seconds(1)) {
-      begin = now;
-      reports = 0;
-    }
-    if (++reports <= most) report(text);
-    if (reports == most) report("further refusals in this second are not reported");
-  };
-}
 
 }  // namespace sbgc::hosts

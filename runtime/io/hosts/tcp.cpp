@@ -12,7 +12,7 @@
 
 #include <sbgc/io/internal/stream_transport.hpp>
 
-#include "hosts/endpoint.hpp"
+#include "hosts/fewer_reports.hpp"
 #include "hosts/host.hpp"
 #include "hosts/listen.hpp"
 #include "hosts/without_http.hpp"
