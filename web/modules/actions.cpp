@@ -15,7 +15,7 @@
 #include <sbgc/messages/realtime.hpp>
 
 #include "modules/client.hpp"
-#include "modules/page_values.hpp"
+#include "modules/exchange.hpp"
 #include "move/menu_action.hpp"
 #include "tasks/bounded_turn.hpp"
 #include "tasks/tools.hpp"

@@ -14,7 +14,7 @@
 #include <sbgc/internal/parse_number.hpp>
 
 #include "modules/exchange.hpp"
-#include "modules/page_values.hpp"
+#include "modules/times.hpp"
 #include "serving/faults.hpp"
 #include "serving/new_board.hpp"
 

@@ -31,7 +31,6 @@
 #include "frames/json_string.hpp"
 #include "modules/exchange.hpp"
 #include "modules/message_form.hpp"
-#include "modules/page_values.hpp"
 #include "values/complete_message.hpp"
 #include "values/unnamed.hpp"
 

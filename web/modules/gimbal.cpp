@@ -6,7 +6,7 @@
 
 #include "modules/client.hpp"
 #include "modules/exchange.hpp"
-#include "modules/page_values.hpp"
+#include "modules/times.hpp"
 
 namespace sbgc::web {
 

@@ -23,7 +23,6 @@
 #include <sbgc/internal/parse_number.hpp>
 
 #include "modules/exchange.hpp"
-#include "modules/page_values.hpp"
 #include "values/complete_message.hpp"
 #include "values/effect_text.hpp"
 

@@ -10,8 +10,8 @@
 #include <sbgc/messages/parameters.hpp>
 #include <sbgc/text.hpp>
 
+#include "modules/exchange.hpp"
 #include "modules/message_form.hpp"
-#include "modules/page_values.hpp"
 #include "modules/settable_text.hpp"
 #include "modules/setup.hpp"
 #include "parameters/parameter_blocks.hpp"
