@@ -27,7 +27,7 @@
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"
 #include "command/wording.hpp"
-#include "hosts/host_ports.hpp"
+#include "hosts/endpoint.hpp"
 #include "share/places.hpp"
 
 namespace sbgc::tools {

@@ -21,8 +21,8 @@
 #include <sbgc/parser.hpp>
 #include <sbgc/roles.hpp>
 
+#include "hosts/endpoint.hpp"
 #include "hosts/fewer_reports.hpp"
-#include "hosts/host_ports.hpp"
 #include "share/bridge_hosts.hpp"
 
 namespace sbgc::tools {

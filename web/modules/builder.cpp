@@ -31,7 +31,6 @@
 #include "frames/json_string.hpp"
 #include "frames/value_rows.hpp"
 #include "modules/exchange.hpp"
-#include "modules/lines.hpp"
 #include "modules/message_form.hpp"
 #include "values/complete_message.hpp"
 

@@ -10,7 +10,7 @@
 #include <sbgc/messages/parameters.hpp>
 #include <sbgc/text.hpp>
 
-#include "modules/lines.hpp"
+#include "modules/exchange.hpp"
 #include "modules/message_form.hpp"
 #include "modules/settable_text.hpp"
 #include "modules/setup.hpp"

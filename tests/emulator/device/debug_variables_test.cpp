@@ -1,13 +1,13 @@
 // Tests of debug variables: their announcement.
 
-#include "device/debug/debug_variables.hpp"
-
 #include <set>
 #include <string>
 
 #include <gtest/gtest.h>
 
 #include <sbgc/meta/enums.hpp>
+
+#include "device/debug/debugging.hpp"
 
 namespace sbgc::test {
 namespace {

@@ -9,7 +9,6 @@
 
 #include <gtest/gtest.h>
 
-#include "device/storage/eeprom_records.hpp"
 #include "memory_bytes.hpp"
 
 namespace {

@@ -1,5 +1,7 @@
 // Tests of recording a frequency response.
 
+#include "device/calibration/frequency_response.hpp"
+
 #include <cmath>
 #include <complex>
 #include <cstddef>
@@ -7,7 +9,6 @@
 #include <numbers>
 #include <vector>
 
-#include "physics/axis_response.hpp"
 #include "recorded_axis.hpp"
 #include "replies.hpp"
 

@@ -12,7 +12,7 @@
 #include <sbgc/meta/all.hpp>
 #include <sbgc/validate.hpp>
 
-#include "device/storage/eeprom_records.hpp"
+#include "device/storage/eeprom.hpp"
 #include "host.hpp"
 #include "random_parameters.hpp"
 
