@@ -57,7 +57,8 @@ class FirmwareLimiter {
     for (std::size_t i = 0; i < table.slots.size(); ++i) {
       const auto& [offset, type] = table.slots[i];
       // A counter is not stored.
-      if (!table.are_limited[i] || type->kind == ValueKind::counter) continue;
+      if (table.limits[i] == sbgc::detail::Limited::never || type->kind == ValueKind::counter)
+        continue;
       void* const member = moved(object, offset);
       if (is_available(table.fields[i].since, versions_)) {
         value(*type, member);

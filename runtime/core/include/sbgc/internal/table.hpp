@@ -55,6 +55,10 @@ struct Slot {
   const ValueType* type{};
 };
 
+/// Whether a value can violate the specification: never, on boards that lack something, or on every
+/// board.
+enum class Limited : std::uint8_t { never, on_some_boards, always };
+
 /// A rule across fields, by their indices: one must not be above the other.
 struct OrderRule {
   std::uint8_t low{};
@@ -92,7 +96,7 @@ struct StructTable {
   Slot tail{};  ///< of bytes that later firmware appends; without a type if there is none
   std::span<const OrderRule> rules{};
   void (*find_used)(const void* object, UsedMembers& used){};  ///< null: the board uses all
-  const bool* are_limited{};  ///< for each member, if its value can violate the specification
+  const Limited* limits{};  ///< for each member, whether its value can violate the specification
 };
 
 template <class T>
@@ -256,32 +260,38 @@ void find_used(const void* object, UsedMembers& used) {
   Meta<T>::visit_used(*static_cast<const T*>(object), UsedMembersFinder<T>{used});
 }
 
-constexpr bool has_limits(const FieldInfo& field) noexcept {
-  return field.range != nullptr || field.align != 1 || !field.later.empty() ||
-         field.is_variable_value || !is_in_all(field.since);
+constexpr Limited limited(const FieldInfo& field) noexcept {
+  if (field.range != nullptr || field.align != 1 || field.is_variable_value) return Limited::always;
+  for (const LaterMeaning& later : field.later) {
+    if (later.range != nullptr) return Limited::always;
+  }
+  return is_in_all(field.since) ? Limited::never : Limited::on_some_boards;
 }
-/// True if some values of the type violate the specification, whatever the field. The number of
-/// elements may, too.
-constexpr bool has_limits(const ValueType& type) noexcept {
+/// As above, whatever the field. The number of elements is limited, too.
+constexpr Limited limited(const ValueType& type) noexcept {
   switch (type.kind) {
-    case Kind::scalar: return type.is_variable_id || type.has_versions;
+    case Kind::scalar:
+      if (type.is_variable_id) return Limited::always;  // its value has the limits of the variable
+      return type.has_versions ? Limited::on_some_boards : Limited::never;
     case Kind::axes:
-    case Kind::array: return has_limits(*type.element);
-    case Kind::bytes: return type.is_bounded;
+    case Kind::array: return limited(*type.element);
+    case Kind::bytes: return type.is_bounded ? Limited::always : Limited::never;
     case Kind::text:
-    case Kind::number: return false;
-    default: return true;
+    case Kind::number: return Limited::never;
+    default: return Limited::always;
   }
 }
 
 template <class T, class Members>
 inline constexpr auto limited_members = [] {
-  std::array<bool, std::size(Meta<T>::fields)> are_limited{};
+  std::array<Limited, std::size(Meta<T>::fields)> limits{};
   const Slot* slot = Meta<T>::template slots<Members>;
-  for (std::size_t i = 0; i < are_limited.size(); ++i, ++slot) {
-    are_limited[i] = has_limits(Meta<T>::fields[i]) || has_limits(*slot->type);
+  for (std::size_t i = 0; i < limits.size(); ++i, ++slot) {
+    const Limited by_field = limited(Meta<T>::fields[i]);
+    const Limited by_type = limited(*slot->type);
+    limits[i] = by_field < by_type ? by_type : by_field;
   }
-  return are_limited;
+  return limits;
 }();
 
 /// The struct with all members of a T, except perhaps the tail.
@@ -306,7 +316,7 @@ consteval StructTable struct_table() noexcept {
   } else if constexpr (requires { Meta<T>::template slots<Members>; }) {
     table.slots = Meta<T>::template slots<Members>;
     table.fields = Meta<T>::fields;
-    table.are_limited = limited_members<T, Members>.data();
+    table.limits = limited_members<T, Members>.data();
   }
   if constexpr (requires(const Members& value) { Meta<Members>::rules(value, [](auto&&...) {}); }) {
     table.rules = {rules_of<Members>.first.data(), rules_of<Members>.second};

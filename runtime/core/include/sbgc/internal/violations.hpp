@@ -18,7 +18,10 @@ class Violations {
   using Report = void (*)(void* user, const Violation& violation);
 
   Violations(const Availability& versions, Report report, void* user) noexcept
-      : versions_(versions), report_(report), user_(user) {}
+      : versions_(versions),
+        least_(lacks_nothing(versions) ? Limited::always : Limited::on_some_boards),
+        report_(report),
+        user_(user) {}
 
   bool are_none() const noexcept { return !has_found_; }
 
@@ -27,7 +30,7 @@ class Violations {
     if (table.find_used != nullptr) table.find_used(object, used);
     const VariableInfo* variable = nullptr;  // the one that the last VariableId names, or null
     for (std::size_t index = 0; index < table.slots.size(); ++index) {
-      if (!table.are_limited[index]) continue;
+      if (table.limits[index] < least_) continue;
       const Slot& slot = table.slots[index];
       const FieldInfo& field = table.fields[index];
       const void* const at = moved(object, slot.offset);
@@ -209,6 +212,10 @@ class Violations {
     return false;
   }
 
+  static bool lacks_nothing(const Availability& versions) noexcept {
+    return versions.firmware == std::numeric_limits<std::uint16_t>::max() &&
+           versions.board == std::numeric_limits<std::uint8_t>::max() && versions.features == 0;
+  }
   /// The versions of the board; none if it is any, whose values are in their usual units.
   Availability known_versions() const noexcept {
     return versions_.firmware == std::numeric_limits<std::uint16_t>::max() ? Availability{}
@@ -216,6 +223,7 @@ class Violations {
   }
 
   Availability versions_;
+  Limited least_;  // of the members to check
   Report report_;
   void* user_;
   bool has_found_ = false;
