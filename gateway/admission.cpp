@@ -5,8 +5,8 @@
 
 #include "command/remark.hpp"
 #include "command/wording.hpp"
+#include "gateway/payload.hpp"
 #include "gateway/reports.hpp"
-#include "gateway/unix_time.hpp"
 
 namespace sbgc::tools {
 

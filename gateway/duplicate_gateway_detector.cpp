@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "gateway/unix_time.hpp"
+#include "gateway/payload.hpp"
 
 namespace sbgc::tools {
 

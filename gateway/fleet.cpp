@@ -12,7 +12,7 @@
 #include <sbgc/meta/realtime.hpp>
 
 #include "command/command_error.hpp"
-#include "command/duration.hpp"
+#include "command/option_values.hpp"
 #include "command/wording.hpp"
 #include "frames/stream_type.hpp"
 #include "values/effect_text.hpp"

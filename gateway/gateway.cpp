@@ -22,7 +22,7 @@
 #include "gateway/fleet.hpp"
 #include "gateway/gimbal.hpp"
 #include "gateway/metrics.hpp"
-#include "gateway/schema.hpp"
+#include "gateway/reports.hpp"
 
 namespace sbgc::tools {
 

@@ -9,7 +9,6 @@
 #include <sqlite3.h>
 
 #include "gateway/payload.hpp"
-#include "gateway/unix_time.hpp"
 
 namespace sbgc::tools {
 

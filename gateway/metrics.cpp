@@ -18,8 +18,6 @@
 
 #include "command/command_error.hpp"
 #include "gateway/live_metrics.hpp"
-#include "gateway/metric_families.hpp"
-#include "gateway/probe.hpp"
 
 namespace sbgc::tools {
 

@@ -15,14 +15,13 @@
 #include "command/command_error.hpp"
 #include "command/wording.hpp"
 #include "gateway/payload.hpp"
-#include "move/checked_command.hpp"
+#include "move/menu_action.hpp"
 #include "values/assignments.hpp"
 #include "values/axis_values.hpp"
 #include "values/complete_message.hpp"
 #include "values/effect_text.hpp"
 #include "values/message_json.hpp"
 #include "values/message_names.hpp"
-#include "values/request_effects.hpp"
 
 namespace sbgc::tools {
 

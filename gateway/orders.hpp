@@ -14,7 +14,7 @@
 #include <sbgc/json_dom.hpp>
 #include <sbgc/meta.hpp>
 
-#include "parameters/parameter_values.hpp"
+#include "parameters/parameter_messages.hpp"
 
 namespace sbgc::tools {
 

@@ -91,4 +91,9 @@ void read_payload(std::string_view text, const Topics& topics, CommandPayload& p
 std::vector<std::string> read_stop_payload(std::string_view text, const Topics& topics,
                                            CommandPayload& payload);
 
+/// A time as payloads and the journal have it.
+inline std::int64_t unix_milliseconds(std::chrono::system_clock::time_point time) {
+  return std::chrono::duration_cast<std::chrono::milliseconds>(time.time_since_epoch()).count();
+}
+
 }  // namespace sbgc::tools

@@ -7,7 +7,7 @@
 #include <sbgc/text.hpp>
 
 #include "command/wording.hpp"
-#include "gateway/unix_time.hpp"
+#include "gateway/payload.hpp"
 #include "values/leaf_value.hpp"
 
 namespace sbgc::tools {

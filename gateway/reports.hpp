@@ -1,4 +1,4 @@
-/// The payloads that a gateway publishes.
+/// The payloads that a gateway publishes, and the JSON Schema of what it says and understands.
 #pragma once
 
 #include <chrono>
@@ -36,5 +36,10 @@ WaitingMessage answer_to(const Topics& topics, const std::string& gimbal,
 
 /// Leaves out what a result or an event reports at length; nothing if there is no such thing.
 std::optional<std::string> shortened(const std::string& payload);
+
+/// Returns a JSON Schema (draft 2020-12) with a definition for each kind of payload:
+/// "command.TASK", "telemetry.MESSAGE", "result", "state", "event" and "gateway_state". The
+/// messages are those of the model.
+Json gateway_schema();
 
 }  // namespace sbgc::tools

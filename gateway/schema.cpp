@@ -1,5 +1,3 @@
-#include "gateway/schema.hpp"
-
 #include <string>
 #include <vector>
 
@@ -9,6 +7,7 @@
 
 #include "gateway/fleet.hpp"
 #include "gateway/payload.hpp"
+#include "gateway/reports.hpp"
 #include "values/axis_values.hpp"
 
 namespace sbgc::tools {

@@ -13,12 +13,11 @@
 #include <sbgc/request_sizes.hpp>
 #include <sbgc/responses/all.hpp>
 
-#include "device/cycle.hpp"
 #include "device/default_response.hpp"
 #include "device/device.hpp"
-#include "device/equivalents.hpp"
 #include "device/handlers.hpp"
 #include "device/parameters/access.hpp"
+#include "device/realtime/streams.hpp"
 
 namespace sbgc::emulator {
 namespace {

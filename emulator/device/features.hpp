@@ -1,11 +1,14 @@
-/// The features of a board and its firmware, by its options.
+/// What a board and its firmware know: features, and fields and values of messages.
 #pragma once
 
 #include <cstdint>
 
 #include <sbgc/availability.hpp>
 #include <sbgc/emulator/board_options.hpp>
+#include <sbgc/internal/table.hpp>
+#include <sbgc/message.hpp>
 #include <sbgc/meta.hpp>
+#include <sbgc/meta/all.hpp>
 
 namespace sbgc::emulator {
 
@@ -29,6 +32,16 @@ constexpr bool knows(const Availability& versions, E value) {
     if (info.value == static_cast<std::int64_t>(value)) return is_available(info.since, versions);
   }
   return false;
+}
+
+/// Limits the message with this table: removes optional fields that do not exist yet, and clears
+/// fields that are still reserved and flags without a meaning. Keeps enum values, but returns true
+/// if one does not exist yet.
+bool limit_to(const Availability& versions, const sbgc::detail::StructTable& table, void* message);
+
+template <Message M>
+bool limit_to(const Availability& versions, M& message) {
+  return limit_to(versions, sbgc::detail::table_of<M>(), &message);
 }
 
 }  // namespace sbgc::emulator

@@ -15,7 +15,7 @@
 #include <sbgc/roles.hpp>
 #include <sbgc/time.hpp>
 
-#include "device/firmware_limits.hpp"
+#include "device/features.hpp"
 #include "device/ports.hpp"
 
 namespace sbgc::emulator {

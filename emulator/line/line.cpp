@@ -1,3 +1,4 @@
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -5,6 +6,7 @@
 #include <string_view>
 
 #include <sbgc/emulator/line.hpp>
+#include <sbgc/emulator/uart.hpp>
 #include <sbgc/frame.hpp>
 #include <sbgc/framing.hpp>
 
@@ -269,6 +271,19 @@ bool Line::happens(Fault fault, double share, std::uint64_t number) const {
 std::uint64_t Line::seed(Fault fault) const {
   return random_bits(options_.seed,
                      static_cast<std::uint64_t>(fault) * 2 + (way_ == Way::to_host ? 1U : 0U));
+}
+
+std::vector<std::uint8_t> received_as(std::span<const std::uint8_t> bytes,
+                                      const LineSettings& sender, const LineSettings& receiver) {
+  if (sender == receiver) return {bytes.begin(), bytes.end()};
+  UartReceiver uart(sender, receiver);
+  std::vector<std::uint8_t> result;
+  const auto hear = [&](bool level) {
+    if (const auto byte = uart.hear(level)) result.push_back(*byte);
+  };
+  for (const std::uint8_t byte : bytes) send_levels(byte, parity_bit(byte, sender.parity), hear);
+  while (!uart.is_idle()) hear(true);
+  return result;
 }
 
 }  // namespace sbgc::emulator

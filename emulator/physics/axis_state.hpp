@@ -7,7 +7,6 @@
 #include <sbgc/emulator/gimbal.hpp>
 
 #include "physics/axis_motion.hpp"
-#include "physics/path.hpp"
 
 namespace sbgc::emulator {
 

@@ -17,8 +17,7 @@
 
 #include "hosts/listen.hpp"
 #include "serving/motion_file.hpp"
-#include "serving/motion_name.hpp"
-#include "serving/share.hpp"
+#include "serving/new_board.hpp"
 
 namespace sbgc::serving {
 

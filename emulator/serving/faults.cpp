@@ -15,7 +15,7 @@
 #include <sbgc/internal/words.hpp>
 #include <sbgc/meta/enums.hpp>
 
-#include "serving/share.hpp"
+#include "serving/new_board.hpp"
 
 namespace sbgc::serving {
 

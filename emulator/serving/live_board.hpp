@@ -14,7 +14,7 @@
 #include <sbgc/emulator/emulator.hpp>
 #include <sbgc/io/internal/timer.hpp>
 
-#include "hosts/host_ports.hpp"
+#include "hosts/endpoint.hpp"
 
 namespace sbgc::serving {
 

@@ -11,12 +11,46 @@
 #include <sbgc/text.hpp>
 
 #include "serving/arguments.hpp"
-#include "serving/new_memory.hpp"
-#include "serving/state_file.hpp"
+#include "serving/new_board.hpp"
+#include "serving/state_keeper.hpp"
 
 namespace sbgc::serving {
 
 namespace {
+
+/// Collects one line per frame, a request before its responses. The board reports the verdict of a
+/// request only after it has sent the responses.
+class FrameLog {
+ public:
+  explicit FrameLog(DescribeFrame describe) : describe_(std::move(describe)) {}
+
+  void add(const emulator::Board::Traffic& traffic);
+  /// Takes the lines since the last call. Must not be called while the board executes a request.
+  std::vector<std::string> take();
+
+ private:
+  DescribeFrame describe_;
+  std::vector<std::string> lines_{};
+  std::size_t responses_ =
+      0;  // responses at the end of lines_ whose request has not been reported yet
+  Instant at_{};
+  std::size_t port_ = 0;
+};
+
+void FrameLog::add(const emulator::Board::Traffic& traffic) {
+  if (traffic.at != at_ || traffic.port != port_) responses_ = 0;
+  at_ = traffic.at;
+  port_ = traffic.port;
+  const bool is_request = traffic.reaction.has_value();
+  const auto place = lines_.end() - static_cast<std::ptrdiff_t>(is_request ? responses_ : 0);
+  lines_.insert(place, describe_(traffic));
+  responses_ = is_request ? 0 : responses_ + 1;
+}
+
+std::vector<std::string> FrameLog::take() {
+  responses_ = 0;
+  return std::exchange(lines_, {});
+}
 
 /// Adds to a big-endian number.
 void add_to(std::span<std::uint8_t> bytes, unsigned number) {

@@ -1,20 +1,28 @@
 /// Emulated boards and their endpoints.
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <asio/io_context.hpp>
 #include <asio/thread_pool.hpp>
 
+#include <sbgc/emulator/board.hpp>
+
 #include "hosts/endpoint.hpp"
-#include "serving/frame_log.hpp"
 #include "serving/live_board.hpp"
 #include "serving/state_keeper.hpp"
 
 namespace sbgc::serving {
+
+/// Describes a frame in one line. The user of this library provides it, because command names are
+/// not available here.
+using DescribeFrame = std::function<std::string(const emulator::Board::Traffic&)>;
 
 struct ServiceOptions {
   emulator::EmulatorOptions

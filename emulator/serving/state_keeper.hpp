@@ -1,13 +1,18 @@
-/// Saving the memory of a board to its file.
+/// The file that stores the memory of one emulated board, and saving to it.
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <future>
 #include <memory>
+#include <optional>
+#include <string>
 
 #include <asio/any_io_executor.hpp>
 #include <asio/thread_pool.hpp>
+
+#include <sbgc/io/internal/descriptor.hpp>
 
 #include "hosts/endpoint.hpp"
 #include "serving/live_board.hpp"
@@ -52,6 +57,29 @@ class StateKeeper {
   std::uint32_t saved_{};               ///< last saved revision
   std::future<Result<void>> result_{};  ///< valid while a save is running
   std::shared_ptr<bool> is_alive_ = std::make_shared<bool>(true);
+};
+
+/// A file that only one emulator uses at a time: it holds the lock FILE.sbgc-lock and removes it at
+/// the end. Follows symbolic links. The constructor removes temporary files of killed emulators.
+class StateFile {
+ public:
+  /// Throws std::runtime_error if another emulator uses the file or the lock cannot be created, for
+  /// example because a file with its name is not a lock.
+  explicit StateFile(const std::string& name);
+  StateFile(const StateFile&) = delete;
+  StateFile& operator=(const StateFile&) = delete;
+  ~StateFile();
+
+  /// Returns the content of the file; nothing if there is no file. Throws std::runtime_error if the
+  /// file cannot be used.
+  std::optional<SavedMemory> load() const;
+  /// Replaces the file atomically.
+  Result<void> save(const SavedMemory& saved) const;
+
+ private:
+  std::filesystem::path path_;
+  std::filesystem::path lock_path_;
+  io::detail::Descriptor lock_{};
 };
 
 }  // namespace sbgc::serving

@@ -12,7 +12,7 @@
 #include "gateway/orders.hpp"
 #include "gateway/payload.hpp"
 #include "input.hpp"
-#include "values/request_effects.hpp"
+#include "values/message_names.hpp"
 
 namespace {
 

@@ -32,7 +32,7 @@
 #include <unistd.h>
 
 #include "input.hpp"
-#include "share/page_files.hpp"
+#include "share/web_access.hpp"
 #include "share/web_socket_server.hpp"
 
 namespace {

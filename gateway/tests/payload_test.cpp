@@ -11,8 +11,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "gateway/latest_by_topic.hpp"
-#include "gateway/rate_limiter.hpp"
+#include "gateway/admission.hpp"
+#include "gateway/outbox.hpp"
 
 namespace sbgc::tools {
 namespace {

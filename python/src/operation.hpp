@@ -6,14 +6,33 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <string>
 #include <utility>
+
+#include <sys/types.h>
+#include <unistd.h>
 
 #include <sbgc/io/internal/virtual_time.hpp>
 
 #include "binding.hpp"
-#include "process.hpp"
 
 namespace sbgc::python {
+
+/// The process that made an object. A forked child has none of its threads, and its mutexes may be
+/// locked for ever.
+class Process {
+ public:
+  bool is_forked() const noexcept { return id_ != getpid(); }
+  /// Raises in a forked child.
+  void require(const char* what) const {
+    if (!is_forked()) return;
+    raise("GimbalError", std::string(what) + " belongs to the process that forked this one",
+          "invalid", 0);
+  }
+
+ private:
+  pid_t id_ = getpid();
+};
 
 /// Null for the time of the machine.
 using VirtualTimePointer = std::shared_ptr<io::detail::VirtualTime>;

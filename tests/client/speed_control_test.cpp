@@ -1,8 +1,6 @@
-
 #include <sbgc/client/speed_control.hpp>
 
 #include "task_test.hpp"
-#include "tasks/dead_mans_switch.hpp"
 #include "tasks/hold_speed.hpp"
 
 namespace sbgc::test {

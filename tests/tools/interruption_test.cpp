@@ -23,7 +23,7 @@
 #include <unistd.h>
 
 #include "command/system.hpp"
-#include "move/guard_channel.hpp"
+#include "move/guard.hpp"
 #include "move/raw_terminal.hpp"
 
 namespace sbgc::tools {

@@ -23,7 +23,7 @@
 
 #include "../client/virtual_client.hpp"
 #include "move/menu_action.hpp"
-#include "parameters/factory_defaults.hpp"
+#include "parameters/defaults.hpp"
 
 namespace sbgc::tools {
 namespace {

@@ -16,8 +16,8 @@
 #include "command/command_error.hpp"
 #include "command/wording.hpp"
 #include "frames/frame_text.hpp"
-#include "shell/words.hpp"
-#include "values/firmware_text.hpp"
+#include "shell/line_editor.hpp"
+#include "values/field_text.hpp"
 
 namespace sbgc::tools {
 namespace {

@@ -2,24 +2,77 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <cstdlib>
 #include <future>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include <sbgc/io/clock.hpp>
+#include <sbgc/io/observer.hpp>
 #include <sbgc/io/open.hpp>
+#include <sbgc/parser.hpp>
 
-#include "board/frame_printer.hpp"
+#include "board/configuration.hpp"
 #include "board/listed_ports.hpp"
+#include "board/password.hpp"
 #include "board/progress_bar.hpp"
+#include "command/command_error.hpp"
 #include "command/interruption.hpp"
+#include "command/remark.hpp"
 #include "command/wording.hpp"
+#include "frames/decoded_frame.hpp"
+#include "frames/frame_text.hpp"
 
 namespace sbgc::tools {
 
 namespace {
+
+class FramePrinter final : public io::Observer {
+ public:
+  void on_read(std::span<const std::uint8_t> bytes) override {
+    from_board_.feed(bytes, [this](const Frame& frame) { print(frame, Direction::from_board); });
+  }
+  void on_written(std::span<const std::uint8_t> bytes) override {
+    to_board_.feed(bytes, [this](const Frame& frame) { print(frame, Direction::to_board); });
+    to_board_.flush([this](const Frame& frame) { print(frame, Direction::to_board); });
+  }
+  void on_line_set(const LineSettings& settings) override {
+    remark("{}  line: {}\n", time(), io::to_string(settings));
+  }
+
+ private:
+  std::string time() const {
+    const std::chrono::duration<double> passed = io::Clock::now() - start_;
+    return fmt::format("{:.6f} s", passed.count());
+  }
+
+  void print(const Frame& frame, Direction direction) {
+    std::string text = time();
+    StringOutput out(text);
+    put_text(out, decoder_.decode(frame, direction), colors_);
+    out.finish();
+    remark("{}", text);
+  }
+
+  io::Clock::time_point start_ = io::Clock::now();
+  Colors colors_{stderr};
+  ParserOfAll from_board_;
+  ParserOfAll to_board_;
+  FrameDecoder decoder_{{.json = false, .rows = true}};
+};
+
+/// Returns `inner`, or nothing, followed by an observer that prints each frame.
+Wrap with_frame_printer(Wrap inner) {
+  return [inner = std::move(inner)](std::unique_ptr<io::Transport> transport) {
+    if (inner) transport = inner(std::move(transport));
+    return io::observe(std::move(transport), std::make_shared<FramePrinter>());
+  };
+}
 
 /// The search for gimbals on all serial ports takes no longer than this, unless told otherwise.
 constexpr std::chrono::milliseconds search_time{5'000};
@@ -149,6 +202,87 @@ void fail(const ClientError& error) {
   throw CommandError(error.message, is_interrupted ? interrupted
                                     : is_unknown   ? cannot_tell
                                                    : failure);
+}
+
+GimbalOptions with_configuration(const GimbalOptions& options) {
+  if (options.name.empty()) return options;
+  if (!options.port.empty()) {
+    throw CommandError("--port and --gimbal exclude each other", wrong_usage);
+  }
+  const NamedGimbal named = find_gimbal(options.name);
+  GimbalOptions result = options;
+  result.port = named.port;
+  if (!result.timeout) result.timeout = named.timeout;
+  if (!result.attempts) result.attempts = named.attempts;
+  if (result.password_file.empty()) result.password_file = named.password_file;
+  if (!result.attempt_timeout) result.attempt_timeout = named.attempt_timeout;
+  return result;
+}
+
+void warn_of_password_in(const std::string& capture) {
+  remark("sbgc: {} will hold the password: keep it private\n",
+         capture == "-" ? "the capture" : capture);
+}
+
+ConnectOptions connect_options(const GimbalOptions& options) {
+  ConnectOptions result;
+  if (options.timeout) result.timeout = *options.timeout;
+  if (options.attempts) result.retries = *options.attempts - 1;
+  if (options.attempt_timeout) result.attempt_timeout = *options.attempt_timeout;
+  if (!options.password_file.empty()) {
+    // Otherwise every device on this machine would get it.
+    if (options.port.empty()) {
+      throw CommandError("--password-file needs --port or --gimbal", wrong_usage);
+    }
+    const std::string whose = options.name.empty() ? options.port : "gimbal " + options.name;
+    result.password = read_password(options.password_file, whose);
+    if (!options.capture.empty()) warn_of_password_in(options.capture);
+  }
+  result.capture = options.capture;
+  result.on_capture_error = [has_lost_capture =
+                                 options.has_lost_capture](const ClientError& error) {
+    *has_lost_capture = true;
+    remark("sbgc: {}\n", error.message);
+  };
+  return result;
+}
+
+CallOptions call_options(const GimbalOptions& options) {
+  CallOptions result;
+  if (options.timeout) result.timeout = *options.timeout;
+  return result;
+}
+
+bool is_replay(const GimbalOptions& options) {
+  return with_configuration(options).port.starts_with("capture:");
+}
+
+Client connect_for_long(const GimbalOptions& options,
+                        const std::function<void(ConnectOptions&)>& adjust) {
+  LineChoice line = choose_line(options);
+  if (adjust) adjust(line.options);
+  ReconnectOptions reconnect;
+  reconnect.connection = line.options;
+  reconnect.list_ports = listed_ports;
+  auto client = Client::connect(line.address, reconnect);
+  // A recorded board responds when it did, perhaps just before the request.
+  for (int more = 4; !client && more > 0 && is_replay(options); --more) {
+    client = Client::connect(line.address, reconnect);
+  }
+  return value_of(std::move(client));
+}
+
+Subscription report_changes(Client& client) {
+  return client.on_change([](const LinkChange& change) {
+    switch (change.state) {
+      case LinkState::lost:
+      case LinkState::other_board:
+      case LinkState::given_up: return remark_failure(change.message);
+      case LinkState::searching: return remark("sbgc: connecting again ...\n");
+      case LinkState::connected: return remark("sbgc: connected again: {}\n", change.message);
+      case LinkState::closed: return;
+    }
+  });
 }
 
 }  // namespace sbgc::tools

@@ -1,4 +1,4 @@
-/// Connecting to the gimbal that the options name.
+/// Connecting to the gimbal that the options name, once or again and again.
 #pragma once
 
 #include <functional>
@@ -7,13 +7,27 @@
 #include <utility>
 
 #include <sbgc/client/client.hpp>
+#include <sbgc/client/options.hpp>
 #include <sbgc/client/request.hpp>
 #include <sbgc/io/transport.hpp>
 
-#include "board/connect_options.hpp"
 #include "command/command_error.hpp"
+#include "command/common_options.hpp"
 
 namespace sbgc::tools {
+
+/// Returns the options with those of the named gimbal in the configuration file filled in. Throws
+/// CommandError.
+GimbalOptions with_configuration(const GimbalOptions& options);
+
+/// Returns the options of the library, without `wrap`.
+ConnectOptions connect_options(const GimbalOptions& options);
+
+/// Says that a capture holds the password.
+void warn_of_password_in(const std::string& capture);
+
+/// Returns the options of a call that takes a timeout of its own.
+CallOptions call_options(const GimbalOptions& options);
 
 /// Returns a transport to use in place of the one that was opened.
 using Wrap = std::function<std::unique_ptr<io::Transport>(std::unique_ptr<io::Transport>)>;
@@ -65,5 +79,16 @@ inline void require_possible(const Client& client, const AnyMessage& request,
                              bool validate = true) {
   value_of(detail::prepare(request, client.identity().versions(), validate));
 }
+
+/// Connects to the gimbal like connect(), but to a client that connects again by itself. `adjust`
+/// changes the options of the library. Throws CommandError.
+Client connect_for_long(const GimbalOptions& options,
+                        const std::function<void(ConnectOptions&)>& adjust = {});
+
+/// True if the address is that of a capture, which ends but is never lost.
+bool is_replay(const GimbalOptions& options);
+
+/// Writes a line on standard error for each change of the connection, as long as the result lives.
+Subscription report_changes(Client& client);
 
 }  // namespace sbgc::tools

@@ -5,11 +5,10 @@
 
 #include <fmt/format.h>
 
-#include "command/colors.hpp"
-#include "command/help_text.hpp"
 #include "command/interruption.hpp"
 #include "command/remark.hpp"
 #include "command/system.hpp"
+#include "command/terminal_text.hpp"
 #include "command/wording.hpp"
 
 namespace sbgc::tools {

@@ -21,14 +21,11 @@
 #include <sbgc/parser.hpp>
 #include <sbgc/text/values.hpp>
 
-#include "command/choices.hpp"
-#include "command/duration.hpp"
-#include "command/input.hpp"
+#include "command/input_output.hpp"
+#include "command/option_values.hpp"
 #include "command/remark.hpp"
-#include "command/standard_output.hpp"
 #include "command/subcommand.hpp"
 #include "command/wording.hpp"
-#include "frames/bare_frames.hpp"
 #include "frames/capture_frames.hpp"
 #include "frames/capture_packets.hpp"
 #include "frames/decoded_frame.hpp"
@@ -37,7 +34,7 @@
 #include "frames/pasted_text.hpp"
 #include "frames/rejected_candidates.hpp"
 #include "values/field_lookup.hpp"
-#include "values/firmware_text.hpp"
+#include "values/field_text.hpp"
 
 namespace sbgc::tools {
 

@@ -22,9 +22,8 @@
 
 #include "board/password.hpp"
 #include "command/background_output.hpp"
-#include "command/choices.hpp"
-#include "command/duration.hpp"
 #include "command/interruption.hpp"
+#include "command/option_values.hpp"
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"
 #include "command/wording.hpp"
@@ -32,7 +31,7 @@
 #include "serving/arguments.hpp"
 #include "serving/faults.hpp"
 #include "serving/service.hpp"
-#include "values/firmware_text.hpp"
+#include "values/field_text.hpp"
 
 namespace sbgc::tools {
 

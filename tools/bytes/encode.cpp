@@ -11,9 +11,8 @@
 #include <sbgc/json/hex.hpp>
 #include <sbgc/parse_json.hpp>
 
-#include "command/input.hpp"
+#include "command/input_output.hpp"
 #include "command/remark.hpp"
-#include "command/standard_output.hpp"
 #include "command/subcommand.hpp"
 #include "command/wording.hpp"
 #include "frames/encode_line.hpp"

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <csignal>
 #include <cstdio>
+#include <ctime>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -21,29 +22,84 @@
 #include <asio/posix/stream_descriptor.hpp>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
+#include <sys/epoll.h>
+#include <sys/timerfd.h>
 #include <unistd.h>
 
 #include <sbgc/internal/parse_number.hpp>
 #include <sbgc/internal/words.hpp>
+#include <sbgc/io/internal/descriptor.hpp>
 #include <sbgc/io/observer.hpp>
 #include <sbgc/io/open.hpp>
 #include <sbgc/io/recorder.hpp>
 
-#include "board/reconnecting.hpp"
-#include "bytes/recording_end.hpp"
+#include "board/connection.hpp"
 #include "command/background_output.hpp"
-#include "command/duration.hpp"
-#include "command/number_range.hpp"
+#include "command/input_output.hpp"
+#include "command/interruption.hpp"
+#include "command/option_values.hpp"
 #include "command/remark.hpp"
-#include "command/standard_output.hpp"
 #include "command/subcommand.hpp"
 #include "command/wording.hpp"
 #include "frames/stream_type.hpp"
-#include "values/stream_interval.hpp"
 
 namespace sbgc::tools {
 
 namespace {
+
+/// A signal or the time for a recording, as one descriptor: who waits for the reader of a capture
+/// must notice either.
+class RecordingEnd {
+ public:
+  /// A reader who does not even take the beginning may have the time, too.
+  explicit RecordingEnd(std::optional<std::chrono::milliseconds> time)
+      : time_(time),
+        timer_(::timerfd_create(CLOCK_MONOTONIC, TFD_CLOEXEC)),
+        any_(::epoll_create1(EPOLL_CLOEXEC)) {
+    add(timer_.get());
+    set_timer();
+  }
+
+  /// From now on, signals ask for the end. The time begins again.
+  void begin() {
+    interruption_.emplace();
+    add(interruption_descriptor());
+    set_timer();
+  }
+
+  /// Becomes readable at the end.
+  int descriptor() const noexcept { return any_.get(); }
+  /// Waits for the end, or for a moment. Returns true if it has come.
+  bool comes_soon() const {
+    constexpr int moment = 50;  // ms
+    pollfd waiting{any_.get(), POLLIN, 0};
+    return ::poll(&waiting, 1, moment) > 0;
+  }
+
+ private:
+  void set_timer() const {
+    using std::chrono::nanoseconds;
+    if (!time_) return;
+    const nanoseconds left = std::max<nanoseconds>(*time_, nanoseconds(1));  // 0 would stop it
+    const auto seconds = std::chrono::floor<std::chrono::seconds>(left);
+    itimerspec at{};
+    at.it_value.tv_sec = static_cast<std::time_t>(seconds.count());
+    at.it_value.tv_nsec = static_cast<long>((left - seconds).count());
+    ::timerfd_settime(timer_.get(), 0, &at, nullptr);
+  }
+
+  void add(int descriptor) const {
+    epoll_event event{};
+    event.events = EPOLLIN;
+    ::epoll_ctl(any_.get(), EPOLL_CTL_ADD, descriptor, &event);
+  }
+
+  std::optional<std::chrono::milliseconds> time_;
+  std::optional<Interruption> interruption_{};
+  io::detail::Descriptor timer_;
+  io::detail::Descriptor any_;
+};
 
 struct RecordOptions {
   std::vector<std::string> places;  // [ADDRESS] FILE

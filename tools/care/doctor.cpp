@@ -16,13 +16,11 @@
 
 #include "board/connection.hpp"
 #include "board/progress_bar.hpp"
-#include "command/choices.hpp"
-#include "command/colors.hpp"
-#include "command/duration.hpp"
-#include "command/help_text.hpp"
 #include "command/interruption.hpp"
+#include "command/option_values.hpp"
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"
+#include "command/terminal_text.hpp"
 #include "command/wording.hpp"
 #include "values/axis_values.hpp"
 

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "board/connection.hpp"
-#include "command/arming.hpp"
+#include "command/common_options.hpp"
 #include "command/remark.hpp"
 
 namespace sbgc::tools {

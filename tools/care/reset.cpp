@@ -11,7 +11,7 @@
 
 #include "board/connection.hpp"
 #include "board/progress_bar.hpp"
-#include "command/arming.hpp"
+#include "command/common_options.hpp"
 #include "command/interruption.hpp"
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"
@@ -54,7 +54,7 @@ void begin_restart(const LineChoice& line, const Arming& arming, const CommandCo
 }
 
 /// Returns false if a signal ends the pause.
-bool pause(std::chrono::milliseconds time) {
+bool wait_for(std::chrono::milliseconds time) {
   pollfd signal{interruption_descriptor(), POLLIN, 0};
   ::poll(&signal, 1, static_cast<int>(time.count()));
   return !was_interrupted();
@@ -68,7 +68,7 @@ int reset_board(const ResetOptions& options, const CommandContext& context) {
   bar.show("the board restarts");
   const auto start = Clock::now();
   for (auto wait = until_restart;; wait = attempt_interval) {
-    if (!pause(wait)) throw CommandError("interrupted; the board restarts", interrupted);
+    if (!wait_for(wait)) throw CommandError("interrupted; the board restarts", interrupted);
     const Result<Client> client = Client::connect(line.address, line.options);
     if (client) break;
     if (Clock::now() - start > longest_restart) {

@@ -20,15 +20,13 @@
 
 #include "board/connection.hpp"
 #include "board/progress_bar.hpp"
-#include "command/arming.hpp"
-#include "command/choices.hpp"
+#include "command/common_options.hpp"
 #include "command/interruption.hpp"
-#include "command/number_range.hpp"
+#include "command/option_values.hpp"
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"
 #include "move/moving_gimbal.hpp"
-#include "parameters/profile_choice.hpp"
-#include "parameters/write_outcome.hpp"
+#include "parameters/board_parameters.hpp"
 #include "values/axis_values.hpp"
 
 namespace sbgc::tools {

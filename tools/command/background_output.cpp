@@ -15,8 +15,8 @@
 #include <unistd.h>
 
 #include "command/command_error.hpp"
+#include "command/interruption.hpp"
 #include "command/remark.hpp"
-#include "command/without_signals.hpp"
 
 namespace sbgc::tools {
 

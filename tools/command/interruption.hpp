@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <csignal>
 #include <string>
 #include <vector>
 
@@ -64,5 +65,22 @@ int interruption_descriptor() noexcept;
 
 /// The signals of an Interruption, for programs with a loop of their own.
 std::vector<int> asking_signals();
+
+/// Blocks all signals for the threads that start meanwhile: the others handle them, and a write
+/// without a reader is only an error.
+class WithoutSignals {
+ public:
+  WithoutSignals() {
+    sigset_t all{};
+    sigfillset(&all);
+    ::pthread_sigmask(SIG_SETMASK, &all, &previous_);
+  }
+  WithoutSignals(const WithoutSignals&) = delete;
+  WithoutSignals& operator=(const WithoutSignals&) = delete;
+  ~WithoutSignals() { ::pthread_sigmask(SIG_SETMASK, &previous_, nullptr); }
+
+ private:
+  sigset_t previous_{};
+};
 
 }  // namespace sbgc::tools

@@ -2,9 +2,8 @@
 
 #include <string_view>
 
-#include "command/colors.hpp"
-#include "command/help_text.hpp"
 #include "command/system.hpp"
+#include "command/terminal_text.hpp"
 
 namespace sbgc::tools {
 

@@ -6,7 +6,7 @@
 #include <sbgc/io/pcapng.hpp>
 
 #include "command/command_error.hpp"
-#include "command/input.hpp"
+#include "command/input_output.hpp"
 #include "command/remark.hpp"
 #include "command/wording.hpp"
 

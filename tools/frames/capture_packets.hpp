@@ -14,7 +14,7 @@
 #include <sbgc/message.hpp>
 #include <sbgc/parser.hpp>
 
-#include "command/standard_output.hpp"
+#include "command/input_output.hpp"
 
 namespace sbgc::tools {
 

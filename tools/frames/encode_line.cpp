@@ -8,7 +8,7 @@
 #include <sbgc/parse_json.hpp>
 #include <sbgc/validate.hpp>
 
-#include "command/input.hpp"
+#include "command/input_output.hpp"
 #include "values/message_json.hpp"
 #include "values/message_names.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <sbgc/text_output.hpp>
 
-#include "command/colors.hpp"
+#include "command/terminal_text.hpp"
 #include "frames/decoded_frame.hpp"
 
 namespace sbgc::tools {

@@ -1,5 +1,5 @@
 /// Bytes as people post them: hex text, lists of numbers, dumps, strings of programs, logs with
-/// times and senders, logs of programs.
+/// times and senders, logs of programs; also without the start bytes of frames.
 #pragma once
 
 #include <cstddef>
@@ -10,6 +10,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+#include <sbgc/frame.hpp>
 
 #include "frames/hex_text.hpp"
 #include "frames/program_logs.hpp"
@@ -96,5 +98,18 @@ struct ReadingChoice {
 /// Chooses the reading that finds most in the first part of a text: 4096 bytes at least, if it has
 /// them.
 ReadingChoice choose_reading(std::span<const std::uint8_t> begin);
+
+/// A frame as programs keep it that take off the start byte, and perhaps the checksum behind the
+/// body.
+struct BareFrame {
+  Frame frame{};  ///< its offset is that of the id
+  bool has_checksum{};
+};
+
+/// Returns the frames of known commands that the bytes are; none if they are anything else as well.
+std::vector<BareFrame> bare_frames(std::span<const std::uint8_t> bytes);
+
+/// "without its start byte and the checksum behind the body".
+std::string what_is_missing(const BareFrame& bare);
 
 }  // namespace sbgc::tools

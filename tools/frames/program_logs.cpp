@@ -10,7 +10,7 @@
 #include <sbgc/internal/words.hpp>
 
 #include "frames/hex_text.hpp"
-#include "frames/text_scan.hpp"
+#include "frames/text_lines.hpp"
 
 namespace sbgc::tools {
 
@@ -21,17 +21,17 @@ using Bytes = std::vector<std::uint8_t>;
 /// Takes a number of `digits` and the blanks around it. Returns false if there is none.
 bool take_number(std::string_view line, std::size_t& at, std::string_view digits,
                  std::uint64_t& number) {
-  at += run(line, at, blanks);
-  const std::size_t size = run(line, at, digits);
+  at += run_length(line, at, blanks);
+  const std::size_t size = run_length(line, at, digits);
   if (size == 0 || size > 8) return false;
   number = number_of(line.substr(at, size), digits == hex_digits ? 16 : 10);
   at += size;
-  at += run(line, at, blanks);
+  at += run_length(line, at, blanks);
   return true;
 }
 
 bool take(std::string_view line, std::size_t& at, char wanted) {
-  at += run(line, at, blanks);
+  at += run_length(line, at, blanks);
   if (at >= line.size() || line[at] != wanted) return false;
   ++at;
   return true;
@@ -112,8 +112,9 @@ std::optional<LineProblem> read_strace(std::string_view line, Bytes& out,
     const bool is_done = equals != std::string_view::npos && equals >= at;
     if (is_done && !has(line, equals + 4, decimal_digits)) return {};
     const std::uint64_t transferred =
-        is_done ? number_of(line.substr(equals + 4, run(line, equals + 4, decimal_digits)), 10)
-                : line.size();
+        is_done
+            ? number_of(line.substr(equals + 4, run_length(line, equals + 4, decimal_digits)), 10)
+            : line.size();
     sender = direction;
     const std::size_t before = out.size();
     for (; at < line.size() && out.size() - before < transferred; ++at) {
@@ -131,17 +132,17 @@ std::optional<LineProblem> read_strace(std::string_view line, Bytes& out,
 
 std::optional<LineProblem> read_candump(std::string_view line, Bytes& out,
                                         std::optional<Direction>& sender) {
-  std::size_t at = run(line, 0, blanks);
+  std::size_t at = run_length(line, 0, blanks);
   if (has(line, at, "(")) at = std::min(line.find(')', at), line.size() - 1) + 1;
-  at += run(line, at, blanks);
+  at += run_length(line, at, blanks);
   const std::size_t interface = line.find_first_of(blanks, at);
   if (interface == std::string_view::npos) return {};
-  at = interface + run(line, interface, blanks);
-  std::size_t digits = run(line, at, hex_digits);
+  at = interface + run_length(line, interface, blanks);
+  std::size_t digits = run_length(line, at, hex_digits);
   if (const bool is_of_log = digits != 0 && has(line, at + digits, "#"); is_of_log) {
     at += digits + 1;
     if (has(line, at, "#")) at = std::min(at + 2, line.size());  // CAN FD: a digit of flags
-    return read_hex(line.substr(at, run(line, at, hex_digits)), at, out);
+    return read_hex(line.substr(at, run_length(line, at, hex_digits)), at, out);
   }
   // With -x: TX or RX, and two flags.
   const std::size_t bracket = line.find('[', at);
@@ -151,8 +152,8 @@ std::optional<LineProblem> read_candump(std::string_view line, Bytes& out,
   at = bracket + 1;
   if (!take_number(line, at, decimal_digits, size) || !take(line, at, ']')) return {};
   for (std::uint64_t i = 0; i < size; ++i) {
-    at += run(line, at, blanks);
-    digits = run(line, at, hex_digits);
+    at += run_length(line, at, blanks);
+    digits = run_length(line, at, hex_digits);
     if (digits != 2) return LineProblem{at, "expected a byte in hex"};
     out.push_back(byte_of(line.substr(at, digits)));
     at += digits;
@@ -162,17 +163,17 @@ std::optional<LineProblem> read_candump(std::string_view line, Bytes& out,
 
 std::optional<LineProblem> SocatLines::read(std::string_view line, Bytes& out) {
   constexpr std::string_view length = " length=";
-  std::size_t at = run(line, 0, blanks);
+  std::size_t at = run_length(line, 0, blanks);
   const std::size_t announced = line.find(length);
   if (has(line, at, "<>") && announced != std::string_view::npos) {
     if (left_ != 0) return LineProblem{at, fmt::format("{} bytes are missing before it", left_)};
     const std::size_t number = announced + length.size();
-    left_ = number_of(line.substr(number, run(line, number, decimal_digits)), 10);
+    left_ = number_of(line.substr(number, run_length(line, number, decimal_digits)), 10);
     return {};
   }
   for (; left_ != 0; --left_) {
-    at += run(line, at, blanks);
-    if (at == line.size() || run(line, at, hex_digits) < 2) break;
+    at += run_length(line, at, blanks);
+    if (at == line.size() || run_length(line, at, hex_digits) < 2) break;
     out.push_back(byte_of(line.substr(at, 2)));
     at += 2;
   }
@@ -209,7 +210,8 @@ std::optional<LineProblem> ByteTable::read(std::string_view line, Bytes& out,
   const bool is_hex = data.size() > 2 && data.starts_with("0x");
   const std::string_view digits = is_hex ? data.substr(2) : data;
   const bool is_number =
-      digits.size() <= 3 && run(digits, 0, is_hex ? hex_digits : decimal_digits) == digits.size();
+      digits.size() <= 3 &&
+      run_length(digits, 0, is_hex ? hex_digits : decimal_digits) == digits.size();
   const std::uint64_t number = is_number ? number_of(digits, is_hex ? 16 : 10) : 256;
   if (number > 255) return LineProblem{column, "expected a byte, such as 0x3E or 62"};
   out.push_back(static_cast<std::uint8_t>(number));

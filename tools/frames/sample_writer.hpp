@@ -2,14 +2,24 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "frames/sample.hpp"
+#include <sbgc/text/leaves.hpp>
 
 namespace sbgc::tools {
+
+/// A value that samples have.
+struct StreamField {
+  std::string path{};  ///< for example "angle.roll"
+  std::string unit{};  ///< "" if it has none
+};
+
+/// Calls its argument with each value of a sample.
+using Sample = std::function<void(const std::function<void(const Leaf&)>&)>;
 
 /// The layout of the output. All numbers are written independently of the locale.
 enum class OutputFormat : unsigned char {

@@ -13,7 +13,7 @@
 #include <sbgc/client/client.hpp>
 #include <sbgc/roles.hpp>
 
-#include "frames/sample.hpp"
+#include "frames/sample_writer.hpp"
 
 namespace sbgc::tools {
 

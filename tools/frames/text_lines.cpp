@@ -10,8 +10,6 @@
 
 #include <sbgc/internal/words.hpp>
 
-#include "frames/text_scan.hpp"
-
 namespace sbgc::tools {
 
 namespace {
@@ -52,7 +50,7 @@ class FrontReader {
   }
 
  private:
-  void skip_blanks() { at_ += run(line_, at_, blanks); }
+  void skip_blanks() { at_ += run_length(line_, at_, blanks); }
 
   void skip_separator() {
     skip_blanks();
@@ -79,34 +77,35 @@ class FrontReader {
 
   /// "2026-11-26T", "26.11.2026 ".
   std::size_t date_at(std::size_t at) const {
-    const std::size_t first = run(line_, at, decimal_digits) == 4 ? 4 : 2;
+    const std::size_t first = run_length(line_, at, decimal_digits) == 4 ? 4 : 2;
     const std::size_t last = at + first + 4;
-    const bool is_date = run(line_, at, decimal_digits) == first && has(line_, at + first, "-/.") &&
-                         run(line_, at + first + 1, decimal_digits) == 2 &&
-                         has(line_, last - 1, "-/.") &&
-                         run(line_, last, decimal_digits) == 6 - first && has(line_, at + 10, " T");
+    const bool is_date =
+        run_length(line_, at, decimal_digits) == first && has(line_, at + first, "-/.") &&
+        run_length(line_, at + first + 1, decimal_digits) == 2 && has(line_, last - 1, "-/.") &&
+        run_length(line_, last, decimal_digits) == 6 - first && has(line_, at + 10, " T");
     return is_date ? 11 : 0;
   }
 
   std::size_t clock_at(std::size_t at) const {
-    const std::size_t hours = run(line_, at, decimal_digits);
+    const std::size_t hours = run_length(line_, at, decimal_digits);
     const std::size_t colon = at + hours;
     if (hours == 0 || hours > 2 || !has(line_, colon, ":") || !has(line_, colon + 3, ":")) return 0;
     std::size_t end = colon + 6;
-    if (run(line_, colon + 1, decimal_digits) != 2 || run(line_, colon + 4, decimal_digits) != 2) {
+    if (run_length(line_, colon + 1, decimal_digits) != 2 ||
+        run_length(line_, colon + 4, decimal_digits) != 2) {
       return 0;
     }
     if (has(line_, end, ".,") && has(line_, end + 1, decimal_digits)) {
-      end += 1 + run(line_, end + 1, decimal_digits);
+      end += 1 + run_length(line_, end + 1, decimal_digits);
     }
     return end + suffix_at(end, {"Z", " AM", " PM"}) - at;
   }
 
   std::size_t seconds_at(std::size_t at) const {
-    const std::size_t whole = run(line_, at, decimal_digits);
+    const std::size_t whole = run_length(line_, at, decimal_digits);
     const std::size_t point = at + whole;
     if (whole == 0 || !has(line_, point, ".")) return 0;
-    const std::size_t fraction = run(line_, point + 1, decimal_digits);
+    const std::size_t fraction = run_length(line_, point + 1, decimal_digits);
     const std::size_t end = point + 1 + fraction;
     if (fraction == 0) return 0;
     return end + suffix_at(end, {"s", " s", "ms", " ms"}) - at;
@@ -164,11 +163,11 @@ class FrontReader {
     skip_blanks();
     constexpr std::string_view buffer = "<Buffer ";
     if (line_.substr(at_).starts_with(buffer)) at_ += buffer.size();
-    std::size_t open = at_ + run(line_, at_, letters);
+    std::size_t open = at_ + run_length(line_, at_, letters);
     while (open != at_ && (has(line_, open, letters) || has(line_, open, "0123456789."))) ++open;
     if (open == at_ || !has(line_, open, "(")) return;
     at_ = open + 1;
-    const std::size_t size = run(line_, at_, decimal_digits);
+    const std::size_t size = run_length(line_, at_, decimal_digits);
     if (size != 0 && has(line_, at_ + size, ")")) at_ += size + 1;
   }
 
@@ -187,12 +186,13 @@ bool read_escape(std::string_view line, std::size_t& at, std::vector<std::uint8_
   constexpr std::string_view names = "abfnrtv\\'\"";
   constexpr std::string_view values = "\a\b\f\n\r\t\v\\'\"";
   ++at;
-  if (has(line, at, "x") && run(line, at + 1, hex_digits) >= 2) {
+  if (has(line, at, "x") && run_length(line, at + 1, hex_digits) >= 2) {
     out.push_back(byte_of(line.substr(at + 1, 2)));
     at += 3;
     return true;
   }
-  if (const std::size_t size = std::min(run(line, at, "01234567"), std::size_t{3}); size != 0) {
+  if (const std::size_t size = std::min(run_length(line, at, "01234567"), std::size_t{3});
+      size != 0) {
     out.push_back(byte_of(line.substr(at, size), 8));
     at += size;
     return true;
@@ -205,7 +205,7 @@ bool read_escape(std::string_view line, std::size_t& at, std::vector<std::uint8_
 std::optional<Direction> sender_in(std::string_view label) {
   std::optional<Direction> said;
   for (std::size_t at = 0; at < label.size(); ++at) {
-    const std::string_view word = label.substr(at, run(label, at, letters));
+    const std::string_view word = label.substr(at, run_length(label, at, letters));
     for (const auto& [one, sender] : sender_words) {
       if (!detail::is_same_word(word, one)) continue;
       if (said && *said != sender) return {};
@@ -224,7 +224,7 @@ bool is_prose(std::string_view line) {
   if (text.find_first_of("0123456789'\"\\{}=>") != std::string_view::npos) return false;
   constexpr std::size_t least = 4;  // a shorter word can be a mistyped byte
   for (std::size_t at = 0; at < text.size(); ++at) {
-    const std::string_view word = text.substr(at, run(text, at, letters));
+    const std::string_view word = text.substr(at, run_length(text, at, letters));
     const bool is_other = word.find_first_of(other_letters) != std::string_view::npos;
     if (word.size() >= least && is_other) return true;
     at += word.size();
@@ -270,7 +270,7 @@ std::optional<LineProblem> read_decimal(std::string_view line, std::vector<std::
 }
 
 std::optional<LineProblem> read_literals(std::string_view line, std::vector<std::uint8_t>& out) {
-  const bool is_comment = has(line, run(line, 0, blanks), "#");
+  const bool is_comment = has(line, run_length(line, 0, blanks), "#");
   for (std::size_t at = 0; at < line.size() && !is_comment;) {
     const char quote = line[at++];
     if (quote != '\'' && quote != '"') {
@@ -297,7 +297,7 @@ std::optional<LineProblem> read_braced(std::string_view line, std::vector<std::u
       ++at;
       continue;
     }
-    if (run(line, at + 1, hex_digits) != 2 || !has(line, at + 3, "}")) {
+    if (run_length(line, at + 1, hex_digits) != 2 || !has(line, at + 3, "}")) {
       return LineProblem{at, "two hex digits and '}' must follow '{'"};
     }
     out.push_back(byte_of(line.substr(at + 1, 2)));
@@ -307,13 +307,13 @@ std::optional<LineProblem> read_braced(std::string_view line, std::vector<std::u
 }
 
 std::optional<LineProblem> DumpLines::read(std::string_view line, std::vector<std::uint8_t>& out) {
-  std::size_t at = run(line, 0, blanks);
+  std::size_t at = run_length(line, 0, blanks);
   if (at == line.size() || line[at] == '#') return {};
   if (line[at] == '*') {
     has_star_ = true;
     return {};
   }
-  const std::size_t digits = run(line, at, hex_digits);
+  const std::size_t digits = run_length(line, at, hex_digits);
   const std::string_view offset = line.substr(at, digits);
   const bool has_offset = digits >= 4 && digits <= 16;
   const std::size_t end_of_offset = at + digits + (has(line, at + digits, ":") ? 1 : 0);
@@ -335,9 +335,9 @@ std::optional<LineProblem> DumpLines::read(std::string_view line, std::vector<st
   std::size_t bytes = 0;
   row_.clear();
   while (true) {
-    const std::size_t gap = run(line, at, blanks);
+    const std::size_t gap = run_length(line, at, blanks);
     at += gap;
-    const std::size_t size = run(line, at, hex_digits);
+    const std::size_t size = run_length(line, at, hex_digits);
     const bool is_end = at + size == line.size() || has(line, at + size, blanks);
     const bool is_group = size != 0 && size % 2 == 0 && is_end;
     // Half of the bytes of a line may be set apart; then come those bytes as characters.

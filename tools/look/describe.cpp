@@ -16,16 +16,14 @@
 #include <sbgc/reference.hpp>
 #include <sbgc/text.hpp>
 
-#include "command/colors.hpp"
-#include "command/help_text.hpp"
 #include "command/subcommand.hpp"
+#include "command/terminal_text.hpp"
 #include "command/wording.hpp"
 #include "values/effect_text.hpp"
 #include "values/field_lookup.hpp"
 #include "values/field_text.hpp"
 #include "values/message_json.hpp"
 #include "values/message_names.hpp"
-#include "values/names.hpp"
 #include "values/search_words.hpp"
 
 namespace sbgc::tools {

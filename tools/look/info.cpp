@@ -14,11 +14,10 @@
 #include <sbgc/meta/all.hpp>
 
 #include "board/connection.hpp"
-#include "command/choices.hpp"
-#include "command/colors.hpp"
-#include "command/help_text.hpp"
+#include "command/option_values.hpp"
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"
+#include "command/terminal_text.hpp"
 #include "command/wording.hpp"
 
 namespace sbgc::tools {

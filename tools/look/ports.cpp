@@ -11,7 +11,7 @@
 #include <sbgc/text/values.hpp>
 
 #include "board/listed_ports.hpp"
-#include "command/choices.hpp"
+#include "command/option_values.hpp"
 #include "command/subcommand.hpp"
 #include "command/wording.hpp"
 

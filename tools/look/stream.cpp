@@ -4,9 +4,13 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <condition_variable>
 #include <csignal>
+#include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <utility>
@@ -17,26 +21,57 @@
 #include <sbgc/message.hpp>
 #include <sbgc/meta/realtime.hpp>
 
-#include "board/reconnecting.hpp"
+#include "board/connection.hpp"
 #include "command/background_output.hpp"
-#include "command/choices.hpp"
-#include "command/duration.hpp"
-#include "command/help_text.hpp"
 #include "command/interruption.hpp"
-#include "command/line_queue.hpp"
+#include "command/option_values.hpp"
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"
 #include "command/system.hpp"
+#include "command/terminal_text.hpp"
 #include "command/wording.hpp"
 #include "frames/sample_writer.hpp"
 #include "frames/stream_type.hpp"
 #include "values/field_patterns.hpp"
 #include "values/message_json.hpp"
-#include "values/stream_interval.hpp"
 
 namespace sbgc::tools {
 
 namespace {
+
+/// Thread-safe. Drops lines if too much text is waiting.
+class LineQueue {
+ public:
+  void put(const std::string& line) {
+    const std::lock_guard lock(mutex_);
+    if (waiting_.size() + line.size() > most) {
+      ++dropped_;
+      return;
+    }
+    waiting_ += line;
+    changed_.notify_one();
+  }
+
+  /// Returns what is waiting; waits for it until `deadline`.
+  std::string take(std::chrono::steady_clock::time_point deadline) {
+    std::unique_lock lock(mutex_);
+    changed_.wait_until(lock, deadline, [this] { return !waiting_.empty(); });
+    return std::exchange(waiting_, {});
+  }
+
+  std::uint64_t dropped() const {
+    const std::lock_guard lock(mutex_);
+    return dropped_;
+  }
+
+ private:
+  static constexpr std::size_t most = std::size_t{64} << 20;
+
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  std::string waiting_;
+  std::uint64_t dropped_ = 0;
+};
 
 using Clock = std::chrono::steady_clock;
 

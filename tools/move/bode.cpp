@@ -20,18 +20,16 @@
 #include <sbgc/validate.hpp>
 
 #include "board/local_file.hpp"
-#include "command/arming.hpp"
 #include "command/background_output.hpp"
-#include "command/choices.hpp"
+#include "command/common_options.hpp"
 #include "command/interruption.hpp"
-#include "command/number_range.hpp"
+#include "command/option_values.hpp"
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"
 #include "command/wording.hpp"
 #include "move/bode_recorder.hpp"
 #include "move/move_way.hpp"
-#include "move/paused_streams.hpp"
-#include "move/response_table.hpp"
+#include "move/response_output.hpp"
 
 namespace sbgc::tools {
 

@@ -1,21 +1,31 @@
 #include "move/bode_recorder.hpp"
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdint>
 #include <string_view>
+#include <thread>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include <sbgc/client/motion.hpp>
+#include <sbgc/client/typed.hpp>
+#include <sbgc/frame.hpp>
 #include <sbgc/internal/parse_number.hpp>
+#include <sbgc/messages.hpp>
 #include <sbgc/messages/control.hpp>
 #include <sbgc/messages/realtime.hpp>
+#include <sbgc/roles.hpp>
+#include <sbgc/text.hpp>
 
+#include "board/connection.hpp"
 #include "board/progress_bar.hpp"
 #include "command/interruption.hpp"
 #include "command/remark.hpp"
-#include "move/motor_state.hpp"
 #include "move/move_way.hpp"
+#include "move/moving_gimbal.hpp"
 #include "values/axis_values.hpp"
 
 namespace sbgc::tools {
@@ -125,6 +135,175 @@ void BodeRecorder::go_to(const RecordingPosition& position) const {
     gimbal_.wait(left);
   }
   gimbal_.give_up({});
+}
+
+namespace {
+
+/// The possible requests for a stream with this sample, without the interval: one request if
+/// the sample tells, several if it is one of them, none if the sample does not tell. `is_sample` is
+/// false for other messages.
+struct StreamGuess {
+  bool is_sample = false;
+  std::vector<msg::DataStreamInterval> requests{};
+};
+
+/// When samples of a stream arrived.
+class SampleTimes {
+ public:
+  using Time = std::chrono::steady_clock::time_point;
+
+  void add(Time at) { times_.push_back(at); }
+  bool have_interval() const noexcept { return times_.size() > 1; }
+  /// The interval between samples, of which some may be lost. Precondition: have_interval().
+  msg::Milliseconds interval() const;
+
+ private:
+  std::vector<Time> times_{};
+};
+
+using Configs = std::vector<msg::StreamConfig>;
+
+Configs configs_of(const msg::RealtimeData3& /*sample*/) { return {{}}; }
+Configs configs_of(const msg::RealtimeData4& /*sample*/) { return {{}}; }
+Configs configs_of(const msg::AhrsHelper& /*sample*/) {
+  Configs both(2);
+  both[0].imu_type = msg::ImuIndex::main;
+  both[1].imu_type = msg::ImuIndex::frame;
+  return both;
+}
+Configs configs_of(const msg::RealtimeDataCustom& sample) {
+  Configs known(sample.flags ? 1 : 0);
+  for (msg::StreamConfig& one : known) one.flags = sample.flags;
+  return known;
+}
+Configs configs_of(const msg::RealtimeDataCustom2& sample) {
+  Configs known(sample.flags ? 1 : 0);
+  for (msg::StreamConfig& one : known) one.custom2_flags = sample.flags;
+  return known;
+}
+Configs configs_of(const msg::ExtMotorsState& sample) {
+  Configs known(1);
+  known[0].motor = sample.motor_id;
+  known[0].data_set = sample.data_set;
+  return known;
+}
+/// Only a part of what was requested for these is in their samples.
+Configs configs_of(const msg::Event& /*sample*/) { return {}; }
+Configs configs_of(const msg::CanDrvTelemetry& /*sample*/) { return {}; }
+
+StreamGuess guess_stream(const Frame& frame) {
+  StreamGuess guess;
+  roles::StreamMessages::for_each([&]<class M>(Type<M>) {
+    if (static_cast<std::uint8_t>(M::command) != frame.id) return;
+    guess.is_sample = true;
+    M sample;
+    if constexpr (requires { typename M::Context; }) {
+      // Without the flags of its request, a sample decodes only if it repeats them.
+      if (!decode(frame.body, sample, typename M::Context{})) return;
+    } else {
+      if (!decode(frame.body, sample)) return;
+    }
+    for (const msg::StreamConfig& config : configs_of(sample)) {
+      msg::DataStreamInterval& request = guess.requests.emplace_back();
+      detail::choose_stream<M>(request);
+      request.config = config;
+    }
+  });
+  return guess;
+}
+
+msg::Milliseconds SampleTimes::interval() const {
+  std::vector<double> gaps;
+  for (std::size_t i = 1; i < times_.size(); ++i) {
+    gaps.push_back(std::chrono::duration<double, std::milli>(times_[i] - times_[i - 1]).count());
+  }
+  const auto middle = gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2);
+  std::nth_element(gaps.begin(), middle, gaps.end());
+  const double all =
+      std::chrono::duration<double, std::milli>(times_.back() - times_.front()).count();
+  // A gap that is twice as long as most has lost a sample.
+  const double count =
+      *middle > 0 ? std::max(1.0, std::round(all / *middle)) : static_cast<double>(gaps.size());
+  const long rounded = std::clamp(std::lround(all / count), 1L, 1000L);
+  return msg::Milliseconds(static_cast<msg::Milliseconds::raw_type>(rounded));
+}
+
+/// A stream on the line.
+struct HeardStream {
+  msg::CommandFromBoard command{};
+  std::vector<msg::DataStreamInterval> requests{};
+  SampleTimes times{};
+};
+
+/// Returns the streams of which several samples arrive within this time: others do not matter.
+std::vector<HeardStream> heard_streams(Client& client, std::chrono::milliseconds time) {
+  std::vector<HeardStream> heard;
+  {
+    const Subscription listening = client.on_frame([&](const BoardFrame& one) {
+      if (one.belongs_to_call || one.is_late) return;
+      const StreamGuess guess = guess_stream(one.frame);
+      if (!guess.is_sample) return;
+      const auto command = static_cast<msg::CommandFromBoard>(one.frame.id);
+      auto stream = std::ranges::find_if(heard, [&](const HeardStream& other) {
+        return other.command == command && other.requests == guess.requests;
+      });
+      if (stream == heard.end()) stream = heard.insert(heard.end(), {command, guess.requests, {}});
+      stream->times.add(std::chrono::steady_clock::now());
+    });
+    std::this_thread::sleep_for(time);
+  }
+  std::erase_if(heard, [](const HeardStream& one) { return !one.times.have_interval(); });
+  return heard;
+}
+
+bool still_runs(Client& client, const HeardStream& stream) {
+  const std::chrono::milliseconds interval(stream.times.interval().raw());
+  const auto heard = heard_streams(client, 4 * interval + std::chrono::milliseconds(50));
+  return std::ranges::any_of(heard, [&](const HeardStream& other) {
+    return other.command == stream.command && other.requests == stream.requests;
+  });
+}
+
+}  // namespace
+
+PausedStreams::PausedStreams(Client& client) : client_(client) {
+  for (const HeardStream& stream : heard_streams(client, std::chrono::milliseconds(500))) {
+    bool runs = true;
+    for (auto request = stream.requests.begin(); runs && request != stream.requests.end();
+         ++request) {
+      msg::DataStreamInterval end = *request;
+      end.interval_ms = {};
+      const Result<void> ended(client_.call(end));
+      if (!ended) restart();  // those before it: the destructor will not run
+      value_of(ended);
+      runs = still_runs(client, stream);
+      if (runs) continue;
+      paused_.push_back(*request);
+      paused_.back().interval_ms = stream.times.interval();
+    }
+    if (runs) {
+      remark(
+          "A data stream of {} goes on, because only its host knows how to end it: samples may be "
+          "lost.\n",
+          to_string(stream.command));
+    } else {
+      remark(
+          "The data stream of {} is paused. It goes on afterwards, every {} ms as measured: what "
+          "its host asked for is unknown.\n",
+          to_string(stream.command), paused_.back().interval_ms.raw());
+    }
+  }
+}
+
+PausedStreams::~PausedStreams() { restart(); }
+
+void PausedStreams::restart() const {
+  for (const msg::DataStreamInterval& request : paused_) {
+    const Result<void> started(client_.call(request));
+    if (started) continue;
+    remark("The data stream of {} does not run any more: {}\n", to_string(request.cmd_id),
+           started.error().message);
+  }
 }
 
 }  // namespace sbgc::tools

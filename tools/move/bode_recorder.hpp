@@ -1,11 +1,14 @@
-/// Recording of frequency responses, at one or several positions of the camera.
+/// Recording of frequency responses, at one or several positions of the camera, on a line without
+/// data streams.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include <sbgc/client/bode.hpp>
+#include <sbgc/client/client.hpp>
 #include <sbgc/client/motion.hpp>
+#include <sbgc/messages/realtime.hpp>
 
 #include "move/moving_gimbal.hpp"
 
@@ -44,6 +47,25 @@ class BodeRecorder {
   MovingGimbal& gimbal_;
   msg::BodeTestStartStopRequest request_;
   bool motors_off_;
+};
+
+/// Ends the data streams that run on the line, as an earlier host has left them, and starts them
+/// again at the end of its life. No request lists them: what is known of them is what their samples
+/// tell, and the user reads what is not.
+class PausedStreams {
+ public:
+  /// Listens to the line for half a second. Throws CommandError if the board does not respond.
+  explicit PausedStreams(Client& client);
+  PausedStreams(const PausedStreams&) = delete;
+  PausedStreams& operator=(const PausedStreams&) = delete;
+  ~PausedStreams();
+
+ private:
+  /// Starts the streams again that were running.
+  void restart() const;
+
+  Client& client_;
+  std::vector<msg::DataStreamInterval> paused_{};
 };
 
 }  // namespace sbgc::tools

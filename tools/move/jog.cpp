@@ -16,12 +16,12 @@
 #include <sbgc/messages/realtime.hpp>
 
 #include "board/progress_bar.hpp"
-#include "command/arming.hpp"
-#include "command/help_text.hpp"
+#include "command/common_options.hpp"
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"
 #include "command/system.hpp"
 #include "command/terminal_restorer.hpp"
+#include "command/terminal_text.hpp"
 #include "move/moving_gimbal.hpp"
 #include "move/raw_terminal.hpp"
 #include "values/axis_values.hpp"

@@ -17,12 +17,11 @@
 #include <sbgc/text.hpp>
 
 #include "board/connection.hpp"
-#include "command/arming.hpp"
-#include "command/help_text.hpp"
+#include "command/common_options.hpp"
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"
+#include "command/terminal_text.hpp"
 #include "command/wording.hpp"
-#include "move/checked_command.hpp"
 #include "move/menu_action.hpp"
 #include "values/axis_values.hpp"
 

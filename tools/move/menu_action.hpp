@@ -4,10 +4,12 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <sbgc/client/options.hpp>
 #include <sbgc/client/task.hpp>
 #include <sbgc/enums.hpp>
+#include <sbgc/messages/control.hpp>
 #include <sbgc/meta.hpp>
 
 namespace sbgc::tools {
@@ -26,5 +28,8 @@ const ValueInfo* menu_action(std::string_view word);
 /// Performs an action, and asks for the confirmation where the firmware knows how. Without one, a
 /// change of the profile is read back; all else fails with ErrorCode::unconfirmed.
 Task<Result<void>> perform(msg::MenuCommand action, CallOptions options);
+
+/// Returns the words of the command that does the same as a menu action; none if there is none.
+std::vector<std::string> checked_command(msg::MenuCommand action);
 
 }  // namespace sbgc::tools

@@ -11,12 +11,12 @@
 #include <sbgc/meta/control.hpp>
 
 #include "board/connection.hpp"
-#include "command/arming.hpp"
-#include "command/choices.hpp"
+#include "command/common_options.hpp"
+#include "command/option_values.hpp"
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"
-#include "move/insistence.hpp"
-#include "move/motor_state.hpp"
+#include "move/moving_gimbal.hpp"
+#include "move/stop.hpp"
 
 namespace sbgc::tools {
 

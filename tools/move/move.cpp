@@ -10,10 +10,9 @@
 #include <sbgc/messages/realtime.hpp>
 
 #include "board/progress_bar.hpp"
-#include "command/arming.hpp"
+#include "command/common_options.hpp"
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"
-#include "move/motor_state.hpp"
 #include "move/move_way.hpp"
 #include "move/moving_gimbal.hpp"
 #include "values/axis_values.hpp"

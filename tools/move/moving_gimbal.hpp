@@ -1,9 +1,10 @@
-/// A connection of a command that moves the camera.
+/// A connection of a command that moves the camera, and the state of its motors.
 #pragma once
 
 #include <chrono>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include <sbgc/client/client.hpp>
 #include <sbgc/io/internal/descriptor.hpp>
@@ -52,5 +53,16 @@ class MovingGimbal {
   std::unique_ptr<Client> client_{};
   Motion motion_ = Motion::none;
 };
+
+/// Asks the board whether its motors are on.
+Result<bool> are_motors_on(Client& client);
+
+/// Ends the command unless the motors are on: without them, the board accepts every motion and the
+/// camera does not turn. Throws CommandError.
+void require_motors(Client& client);
+
+/// Returns the names of the current errors of the board, such as "ERR_LOW_BAT1"; "" if there
+/// are none or it does not tell.
+std::string current_errors(Client& client);
 
 }  // namespace sbgc::tools

@@ -13,8 +13,8 @@
 #include <sbgc/client/speed_control.hpp>
 
 #include "board/progress_bar.hpp"
-#include "command/arming.hpp"
-#include "command/duration.hpp"
+#include "command/common_options.hpp"
+#include "command/option_values.hpp"
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"
 #include "command/system.hpp"

@@ -13,19 +13,16 @@
 
 #include "board/connection.hpp"
 #include "board/progress_bar.hpp"
-#include "command/arming.hpp"
-#include "command/choices.hpp"
+#include "command/common_options.hpp"
 #include "command/interruption.hpp"
+#include "command/option_values.hpp"
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"
 #include "command/wording.hpp"
+#include "parameters/board_parameters.hpp"
 #include "parameters/defaults.hpp"
-#include "parameters/factory_defaults.hpp"
 #include "parameters/parameter_messages.hpp"
 #include "parameters/parameters_file.hpp"
-#include "parameters/params_commands.hpp"
-#include "parameters/profile_choice.hpp"
-#include "parameters/write_outcome.hpp"
 
 namespace sbgc::tools {
 

@@ -1,4 +1,5 @@
-/// The factory defaults of a board.
+/// The factory defaults of a board. The protocol has no request for them, only one that goes back
+/// to them.
 #pragma once
 
 #include <cstdint>
@@ -6,6 +7,9 @@
 
 #include <sbgc/client/backup.hpp>
 #include <sbgc/client/client.hpp>
+#include <sbgc/client/options.hpp>
+#include <sbgc/client/parameters.hpp>
+#include <sbgc/client/task.hpp>
 
 namespace sbgc::tools {
 
@@ -24,5 +28,14 @@ void keep_defaults(const BoardIdentity& board, const ParameterSet& defaults);
 /// Returns the defaults that were kept. Throws CommandError, which says how to read them, if there
 /// are none of this board with its firmware.
 ParameterSet kept_defaults(const BoardIdentity& board);
+
+/// Sets a profile to its defaults. Without a confirmation, it succeeds only if the parameters of
+/// the profile are no longer those of `before`; otherwise it fails with ErrorCode::unconfirmed.
+Task<Result<void>> use_defaults(std::uint8_t profile, ParameterSet before, CallOptions options);
+
+/// The same, and returns the parameters of the profile. If nothing shows that they are the
+/// defaults, it changes one in the profile and looks whether that goes back.
+Task<Result<ParameterSet>> find_defaults(std::uint8_t profile, ParameterSet before,
+                                         CallOptions options);
 
 }  // namespace sbgc::tools

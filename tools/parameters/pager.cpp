@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 #include <sys/wait.h>
 
-#include "command/colors.hpp"
 #include "command/system.hpp"
+#include "command/terminal_text.hpp"
 
 namespace sbgc::tools {
 

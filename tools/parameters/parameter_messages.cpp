@@ -1,6 +1,9 @@
 #include "parameters/parameter_messages.hpp"
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -11,8 +14,10 @@
 
 #include "command/command_error.hpp"
 #include "command/wording.hpp"
+#include "parameters/parameter_blocks.hpp"
 #include "values/field_text.hpp"
-#include "values/names.hpp"
+#include "values/message_names.hpp"
+#include "values/search_words.hpp"
 
 namespace sbgc::tools {
 
@@ -101,6 +106,145 @@ std::vector<std::string> parameter_names() {
     }
   }
   return names;
+}
+
+std::string ShownParameter::text() const {
+  if (meaning.empty()) return raw;
+  return is_special ? fmt::format("{} ({})", raw, meaning) : meaning;
+}
+
+std::string ShownParameter::short_text() const {
+  constexpr std::size_t longest = 32;
+  constexpr std::size_t shown = 16;
+  if (bytes <= longest) return text();
+  return fmt::format("{}… ({} bytes)", raw.substr(0, 2 * shown), bytes);
+}
+
+std::vector<ShownParameter> shown_parameters(const Parameters& block,
+                                             const Availability& versions) {
+  std::vector<ShownParameter> result;
+  auto add = [&](const Leaf& leaf) {
+    if (!is_settable(leaf.field) || leaf.kind == LeafKind::counter) return;
+    ShownParameter shown{.message = block.id.message,
+                         .path = to_string(leaf.path),
+                         .spec_name = leaf.field.spec_name,
+                         .raw = raw_text(leaf),
+                         .meaning = meaning_text(leaf),
+                         .is_special = special_meaning(leaf) != nullptr,
+                         .is_general = leaf.field.role == FieldRole::general,
+                         .summary = leaf.field.summary,
+                         .topics = topics_of(leaf.field)};
+    const bool is_number = leaf.kind == LeafKind::integer || leaf.kind == LeafKind::real;
+    if (is_number && leaf.names == nullptr && leaf.packed == nullptr && !shown.is_special) {
+      const double raw =
+          leaf.kind == LeafKind::real ? leaf.real : static_cast<double>(leaf.integer);
+      shown.value = leaf.unit != nullptr ? leaf.unit->real(raw) : raw;
+    }
+    if (leaf.kind == LeafKind::bytes) shown.bytes = leaf.bytes.size();
+    if (leaf.unit != nullptr) shown.unit = leaf.unit->name;
+    result.push_back(std::move(shown));
+  };
+  message_in(block).for_each_leaf(add, versions);
+  return result;
+}
+
+Json to_json(const ShownParameter& parameter) {
+  Json result{{"message", parameter.message}, {"path", parameter.path}, {"raw", parameter.raw}};
+  result["value"] = parameter.value ? Json(*parameter.value) : Json();
+  result["unit"] = parameter.unit.empty() ? Json() : Json(parameter.unit);
+  result["meaning"] = parameter.meaning.empty() ? Json() : Json(parameter.meaning);
+  result["general"] = parameter.is_general;
+  result["topics"] = Json::array();
+  for (const TopicReference* const topic : parameter.topics) {
+    result["topics"].push_back(topic->name);
+  }
+  if (!parameter.other_default.empty()) result["default"] = parameter.other_default;
+  return result;
+}
+
+namespace {
+
+/// True if what is written has another meaning on later boards.
+bool depends_on_firmware(const FieldValue& value) {
+  const FieldInfo* const info = value.field.type->innermost().info;
+  return info != nullptr && !info->later.empty();
+}
+
+/// True if what is written depends on the present value.
+bool changes_present(const FieldValue& value) { return value.change != Change::set; }
+
+/// Returns the values that the block with this id gets: general ones in every profile.
+std::vector<FieldValue> values_in(const MessageValues& one, const ParametersId& id,
+                                  std::uint8_t profile) {
+  if (one.message->copies == 1 || id.copy == profile) return one.values;
+  std::vector<FieldValue> general;
+  for (const FieldValue& value : one.values) {
+    if (is_general(value.field)) general.push_back(value);
+  }
+  return general;
+}
+
+}  // namespace
+
+std::vector<MessageValues> values_of(const std::vector<Assignment>& assignments, bool no_validate) {
+  std::vector<MessageValues> result;
+  for (const Assignment& assignment : assignments) {
+    const FoundParameters found = find_parameters(assignment.name);
+    auto at = std::ranges::find(result, found.message, &MessageValues::message);
+    if (at == result.end()) at = result.insert(at, {found.message, {}});
+    for (FieldValue& value : values_for(found.fields, assignment)) {
+      add_value(at->values, std::move(value));
+    }
+  }
+  for (const MessageValues& one : result) {
+    AnyMessage message = one.message->type->make();
+    std::vector<FieldValue> certain = one.values;
+    std::erase_if(certain, depends_on_firmware);
+    std::erase_if(certain, changes_present);
+    set_values(message, certain);
+    if (!no_validate) check_ranges(message, certain);
+  }
+  return result;
+}
+
+bool concerns(const MessageValues& one, const ParametersId& id, std::uint8_t profile) {
+  if (id.message != one.message->type->info->name) return false;
+  return one.message->copies == 1 || id.copy == profile || one.has_general();
+}
+
+ParameterSet with_values(const ParameterSet& present, const std::vector<MessageValues>& values,
+                         std::uint8_t profile, const Availability& versions) {
+  ParameterSet wanted;
+  for (const MessageValues& one : values) {
+    const char* const name = one.message->type->info->name;
+    bool is_present = false;
+    for (const Parameters& block : present.all()) {
+      if (block.id.message != name) continue;
+      is_present = true;
+      AnyMessage message = message_in(block);
+      std::vector<FieldValue> here = values_in(one, block.id, profile);
+      for (const FieldValue& value : here) {
+        if (!message.has(std::get<std::string>(value.field.steps.front()))) {
+          fail_lacking(value.field);
+        }
+      }
+      try {
+        for (FieldValue& value : here) {
+          if (changes_present(value)) value = changed_value(message, value, versions);
+        }
+        set_values(message, here, versions);
+        if (Result<void> put = put_message(wanted, block.id, message); !put) {
+          throw CommandError(put.error().message);
+        }
+      } catch (const CommandError&) {
+        throw;
+      } catch (const std::runtime_error& error) {
+        throw CommandError(clipped(error.what()), wrong_usage);
+      }
+    }
+    if (!is_present) throw CommandError(fmt::format("this board does not have {}", name));
+  }
+  return wanted;
 }
 
 }  // namespace sbgc::tools

@@ -8,8 +8,8 @@
 #include <sbgc/parse_json.hpp>
 
 #include "board/connection.hpp"
-#include "command/help_text.hpp"
 #include "command/remark.hpp"
+#include "command/terminal_text.hpp"
 #include "command/wording.hpp"
 
 namespace sbgc::tools {

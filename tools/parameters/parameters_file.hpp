@@ -6,7 +6,7 @@
 
 #include <sbgc/client/backup.hpp>
 
-#include "parameters/profile_choice.hpp"
+#include "parameters/board_parameters.hpp"
 #include "parameters/vendor_values.hpp"
 
 namespace sbgc::tools {

@@ -14,19 +14,17 @@
 #include <sbgc/text.hpp>
 
 #include "board/connection.hpp"
-#include "command/arming.hpp"
-#include "command/choices.hpp"
-#include "command/colors.hpp"
-#include "command/help_text.hpp"
+#include "command/common_options.hpp"
+#include "command/option_values.hpp"
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"
+#include "command/terminal_text.hpp"
 #include "command/wording.hpp"
+#include "parameters/board_parameters.hpp"
 #include "parameters/defaults.hpp"
 #include "parameters/pager.hpp"
 #include "parameters/parameter_messages.hpp"
 #include "parameters/parameters_file.hpp"
-#include "parameters/params_commands.hpp"
-#include "parameters/profile_choice.hpp"
 #include "values/field_text.hpp"
 
 namespace sbgc::tools {

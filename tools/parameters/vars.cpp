@@ -19,15 +19,15 @@
 #include <sbgc/value_text.hpp>
 
 #include "board/connection.hpp"
-#include "command/arming.hpp"
-#include "command/choices.hpp"
+#include "command/common_options.hpp"
 #include "command/interruption.hpp"
+#include "command/option_values.hpp"
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"
 #include "command/wording.hpp"
 #include "values/assignments.hpp"
 #include "values/field_text.hpp"
-#include "values/names.hpp"
+#include "values/message_names.hpp"
 
 namespace sbgc::tools {
 

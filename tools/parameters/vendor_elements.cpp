@@ -1,5 +1,3 @@
-#include "parameters/vendor_elements.hpp"
-
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -7,6 +5,8 @@
 #include <fmt/format.h>
 
 #include <sbgc/internal/parse_number.hpp>
+
+#include "parameters/vendor_file.hpp"
 
 namespace sbgc::tools {
 

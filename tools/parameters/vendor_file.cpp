@@ -6,8 +6,6 @@
 #include <expat.h>
 #include <fmt/format.h>
 
-#include "parameters/vendor_elements.hpp"
-
 namespace sbgc::tools {
 
 namespace {

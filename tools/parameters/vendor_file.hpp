@@ -1,6 +1,8 @@
-/// Reads the files that the vendor's program saves parameters to: XML, usually named .profile.
+/// The files that the vendor's program saves parameters to: XML, usually named .profile.
 #pragma once
 
+#include <cstddef>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,6 +25,42 @@ struct VendorFile {
   BoardIdentity board{};  ///< only its versions
   SavedSection common{};  ///< of all profiles
   std::vector<SavedSection> profiles{};
+};
+
+/// Takes the elements and texts in the order of the file. After the first problem, it takes
+/// nothing.
+class VendorElements {
+ public:
+  void open(std::string_view name);
+  void text(std::string_view characters) { text_ += characters; }
+  void close();
+  /// Notes a problem, unless there is one.
+  void fail(std::string_view reason);
+  bool has_failed() const { return !problem_.empty(); }
+  /// Returns the contents. Errors: `bad_file`.
+  Result<VendorFile> finish();
+
+ private:
+  struct Level {
+    std::string name;
+    bool has_children = false;
+  };
+
+  void open_section(std::string_view name);
+  void add(const std::string& text);
+  void check();
+  template <class Version>
+  bool read_fact(const char* name, Version& out);
+
+  std::vector<Level> levels_{};
+  std::string text_{};
+  SavedSection* section_{};
+  std::map<std::string, std::size_t> places_{};  // of the names in the section
+  std::map<std::string, std::string> facts_{};
+  bool has_common_ = false;
+  std::size_t values_ = 0;
+  VendorFile file_{};
+  std::string problem_{};
 };
 
 /// Parses the XML. Document types, and so entities, are refused; size, depth, the length of a name

@@ -5,10 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "command/command_line_facts.hpp"
-#include "command/commands.hpp"
+#include "command/command_line.hpp"
 #include "command/subcommand.hpp"
-#include "command/usage.hpp"
 #include "move/guard.hpp"
 
 namespace sbgc::tools {

@@ -4,21 +4,35 @@
 #include <exception>
 #include <memory>
 #include <sstream>
+#include <string>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "command/commands.hpp"
-#include "command/help_text.hpp"
+#include <sbgc/text.hpp>
+#include <sbgc/version.hpp>
+
+#include "command/command_line.hpp"
 #include "command/remark.hpp"
+#include "command/subcommand.hpp"
 #include "command/system.hpp"
-#include "command/usage.hpp"
-#include "command/version_text.hpp"
+#include "command/terminal_text.hpp"
 #include "command/wording.hpp"
 
 namespace sbgc::tools {
 
 namespace {
+
+/// Returns the version of the library and the command, the protocol, and the fingerprint of its
+/// model.
+std::string version_text() {
+  return fmt::format(
+      "sbgc {}\n"
+      "protocol: {}, revision {} ({}) and firmware up to {}\n"
+      "model: {:016x}",
+      SBGC_VERSION_TEXT, protocol_name, protocol_revision, protocol_date,
+      to_string(msg::FirmwareVersion(newest_firmware)), model_fingerprint);
+}
 
 int run(int argc, char** argv) {
   CommandContext context;
@@ -50,6 +64,7 @@ int run(int argc, char** argv) {
 }
 
 }  // namespace
+
 }  // namespace sbgc::tools
 
 int main(int argc, char** argv) {

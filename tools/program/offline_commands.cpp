@@ -1,6 +1,6 @@
 // The subcommands where sbgc::io does not exist: those that need no gimbal.
 
-#include "command/commands.hpp"
+#include "command/subcommand.hpp"
 
 namespace sbgc::tools {
 

@@ -16,16 +16,16 @@
 
 #include "board/progress_bar.hpp"
 #include "command/background_output.hpp"
-#include "command/duration.hpp"
 #include "command/interruption.hpp"
+#include "command/option_values.hpp"
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"
 #include "command/wording.hpp"
 #include "hosts/endpoint.hpp"
 #include "hosts/listen.hpp"
-#include "share/page_files.hpp"
 #include "share/places.hpp"
 #include "share/shared_line.hpp"
+#include "share/web_access.hpp"
 #include "share/web_socket.hpp"
 
 namespace sbgc::tools {

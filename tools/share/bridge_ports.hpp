@@ -21,11 +21,9 @@
 #include <sbgc/parser.hpp>
 #include <sbgc/roles.hpp>
 
+#include "hosts/endpoint.hpp"
 #include "hosts/fewer_reports.hpp"
-#include "hosts/host_ports.hpp"
-#include "share/host_places.hpp"
-#include "share/host_stops.hpp"
-#include "share/request_owners.hpp"
+#include "share/bridge_hosts.hpp"
 
 namespace sbgc::tools {
 

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "hosts/endpoint.hpp"
-#include "share/web_socket_access.hpp"
+#include "share/web_access.hpp"
 
 namespace sbgc::tools {
 

@@ -19,7 +19,7 @@
 #include <boost/beast/websocket.hpp>
 
 #include "hosts/fewer_reports.hpp"
-#include "share/page_files.hpp"
+#include "share/web_access.hpp"
 
 namespace sbgc::tools {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "share/web_socket_access.hpp"
+#include "share/web_access.hpp"
 
 namespace sbgc::tools {
 

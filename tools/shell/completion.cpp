@@ -21,9 +21,9 @@
 
 #include "board/configuration.hpp"
 #include "board/listed_ports.hpp"
-#include "command/choices.hpp"
 #include "command/command_error.hpp"
-#include "command/command_line_facts.hpp"
+#include "command/command_line.hpp"
+#include "command/option_values.hpp"
 #include "command/subcommand.hpp"
 #include "command/wording.hpp"
 #include "frames/stream_type.hpp"
@@ -31,7 +31,6 @@
 #include "values/axis_values.hpp"
 #include "values/field_lookup.hpp"
 #include "values/message_names.hpp"
-#include "values/names.hpp"
 #include "values/search_words.hpp"
 
 namespace sbgc::tools {

@@ -9,10 +9,9 @@
 
 #include <sbgc/internal/suggestions.hpp>
 
-#include "command/command_line_facts.hpp"
-#include "command/help_text.hpp"
+#include "command/command_line.hpp"
 #include "command/subcommand.hpp"
-#include "command/usage.hpp"
+#include "command/terminal_text.hpp"
 #include "command/wording.hpp"
 
 namespace sbgc::tools {

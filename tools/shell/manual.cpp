@@ -12,10 +12,9 @@
 #include <sbgc/io/internal/atomic_file.hpp>
 #include <sbgc/version.hpp>
 
-#include "command/command_line_facts.hpp"
-#include "command/gimbal_options.hpp"
+#include "command/command_line.hpp"
+#include "command/common_options.hpp"
 #include "command/subcommand.hpp"
-#include "command/usage.hpp"
 #include "command/wording.hpp"
 
 namespace sbgc::tools {

@@ -17,20 +17,18 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "board/connect_options.hpp"
 #include "board/connection.hpp"
 #include "bytes/secret_words.hpp"
-#include "command/help_text.hpp"
 #include "command/interruption.hpp"
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"
+#include "command/terminal_text.hpp"
 #include "command/wording.hpp"
 #include "move/guard.hpp"
 #include "shell/completion.hpp"
 #include "shell/line_editor.hpp"
 #include "shell/scripts.hpp"
 #include "shell/shell_line.hpp"
-#include "shell/words.hpp"
 
 namespace sbgc::tools {
 

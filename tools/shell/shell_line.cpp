@@ -10,8 +10,8 @@
 
 #include <sbgc/io/transport.hpp>
 
+#include "command/interruption.hpp"
 #include "command/remark.hpp"
-#include "command/without_signals.hpp"
 
 namespace sbgc::tools {
 

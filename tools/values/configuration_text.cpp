@@ -12,7 +12,7 @@
 #include <sbgc/internal/suggestions.hpp>
 
 #include "command/command_error.hpp"
-#include "command/duration.hpp"
+#include "command/option_values.hpp"
 
 namespace sbgc::tools {
 

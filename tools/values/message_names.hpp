@@ -1,5 +1,5 @@
 /// Messages by name: ours, such as GetAnglesRequest, or that of the command in the specification,
-/// such as CMD_GET_ANGLES.
+/// such as CMD_GET_ANGLES; and the effects of those with this name.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +8,29 @@
 #include <string_view>
 #include <vector>
 
+#include <sbgc/any.hpp>
+#include <sbgc/meta.hpp>
+
 #include "values/message_json.hpp"
-#include "values/names.hpp"
 
 namespace sbgc::tools {
+
+// What a user can type, for the completion of the shell. Each is defined where the names are known.
+
+/// Returns the names of all messages to the board and of their commands, sorted.
+std::vector<std::string> message_names();
+
+/// Returns the paths of the fields of a message to the board; none if there is no such message.
+std::vector<std::string> field_names(std::string_view message);
+
+/// Returns the paths of all parameters.
+std::vector<std::string> parameter_names();
+
+/// Returns the names of all adjustable variables.
+std::vector<std::string> variable_names();
+
+/// Returns the words that `sbgc describe` explains.
+std::vector<std::string> described_words();
 
 /// True if the word names a command: in any case, with or without CMD_.
 bool is_command_name(std::string_view word, std::string_view command);
@@ -30,5 +49,13 @@ const MessageType& form_with(const std::vector<const MessageType*>& forms,
 
 /// Returns "; did you mean …?", or "" if no name is near.
 std::string similar_messages(std::string_view name);
+
+/// Returns what the request can do. A form that only reads may share its fields with one that does
+/// more, as CMD_AHRS_HELPER does: the board looks at their values, so these effects count, too,
+/// unless they are 0.
+Effects effects_of(const AnyMessage& message);
+
+/// True if a request with these effects changes anything, except for a data stream.
+bool needs_arming(const MessageInfo& info, Effects effects);
 
 }  // namespace sbgc::tools

@@ -14,11 +14,9 @@
 #include <sbgc/internal/parse_number.hpp>
 
 #include "modules/exchange.hpp"
-#include "modules/lines.hpp"
 #include "modules/times.hpp"
 #include "serving/faults.hpp"
-#include "serving/motion_name.hpp"
-#include "serving/new_memory.hpp"
+#include "serving/new_board.hpp"
 
 namespace sbgc::web {
 

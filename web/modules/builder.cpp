@@ -29,11 +29,10 @@
 #include <sbgc/text.hpp>
 
 #include "frames/json_string.hpp"
+#include "frames/value_rows.hpp"
 #include "modules/exchange.hpp"
-#include "modules/lines.hpp"
 #include "modules/message_form.hpp"
 #include "values/complete_message.hpp"
-#include "values/unnamed.hpp"
 
 namespace sbgc::tools {
 

@@ -13,7 +13,7 @@
 #include <sbgc/parser.hpp>
 #include <sbgc/roles.hpp>
 
-#include "conversation/shared_calls.hpp"
+#include "calls/pending_calls.hpp"
 #include "frames/json_string.hpp"
 #include "modules/actions.hpp"
 #include "passive_state.hpp"

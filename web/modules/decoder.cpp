@@ -24,7 +24,6 @@
 #include <sbgc/parser.hpp>
 #include <sbgc/text_output.hpp>
 
-#include "frames/bare_frames.hpp"
 #include "frames/decoded_frame.hpp"
 #include "frames/json_string.hpp"
 #include "frames/pasted_text.hpp"

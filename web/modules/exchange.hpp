@@ -1,9 +1,11 @@
 /// How a page and the module exchange texts and bytes: the page calls input() for a buffer, fills
-/// it, calls a function, and reads output().
+/// it, calls a function, and reads output(). Many texts consist of settings, NAME=VALUE.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #if defined(__wasm__)
@@ -23,3 +25,30 @@ struct Exchange {
 Exchange& exchange();
 
 }  // namespace sbgc::tools
+
+namespace sbgc::web {
+
+inline std::string_view input_text() {
+  const auto& input = tools::exchange().input;
+  return {reinterpret_cast<const char*>(input.data()), input.size()};
+}
+
+/// Takes what precedes the separator from a text, with the separator.
+inline std::string_view take_until(char separator, std::string_view& text) {
+  const std::string_view part = text.substr(0, text.find(separator));
+  text.remove_prefix(std::min(part.size() + 1, text.size()));
+  return part;
+}
+
+/// Calls `use(name, value)` for each part that is not empty.
+template <class Use>
+void for_each_setting(std::string_view text, Use&& use, char separator = '\n') {
+  while (!text.empty()) {
+    std::string_view value = take_until(separator, text);
+    if (value.empty()) continue;
+    const std::string_view name = take_until('=', value);
+    use(name, value);
+  }
+}
+
+}  // namespace sbgc::web

@@ -6,7 +6,6 @@
 
 #include "modules/client.hpp"
 #include "modules/exchange.hpp"
-#include "modules/lines.hpp"
 #include "modules/times.hpp"
 
 namespace sbgc::web {

@@ -10,12 +10,12 @@
 #include <sbgc/messages/parameters.hpp>
 #include <sbgc/text.hpp>
 
-#include "modules/lines.hpp"
+#include "modules/exchange.hpp"
 #include "modules/message_form.hpp"
 #include "modules/settable_text.hpp"
 #include "modules/setup.hpp"
 #include "parameters/parameter_blocks.hpp"
-#include "parameters/vendor_elements.hpp"
+#include "parameters/vendor_file.hpp"
 #include "parameters/vendor_values.hpp"
 #include "values/search_words.hpp"
 

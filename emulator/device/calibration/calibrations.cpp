@@ -11,10 +11,10 @@
 
 #include "device/calibration/auto_tuning.hpp"
 #include "device/calibration/frequency_response.hpp"
-#include "device/cycle.hpp"
 #include "device/imu/imus.hpp"
 #include "device/parameters/parameters.hpp"
 #include "device/peripherals/outputs.hpp"
+#include "device/realtime/streams.hpp"
 #include "device/request_context.hpp"
 #include "physics/noise.hpp"
 #include "physics/quantities.hpp"

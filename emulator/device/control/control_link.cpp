@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "device/control/modes.hpp"
 #include "device/control/quaternion_control.hpp"
+#include "device/control/reported_state.hpp"
 #include "device/parameters/gimbal_tuning.hpp"
 
 namespace sbgc::emulator {

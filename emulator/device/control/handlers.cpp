@@ -12,8 +12,8 @@
 
 #include "device/control/control_link.hpp"
 #include "device/control/menu.hpp"
-#include "device/control/modes.hpp"
 #include "device/control/quaternion_control.hpp"
+#include "device/control/reported_state.hpp"
 #include "device/control/targets.hpp"
 #include "device/control/tasks.hpp"
 #include "device/imu/imus.hpp"

@@ -43,10 +43,4 @@ struct MenuParts {
 /// Executes an action. Returns false if there is no such action.
 bool execute_menu(MenuParts& parts, msg::MenuCommand action, Instant now);
 
-// Parts of actions
-
-void move_to(MenuParts& parts, std::size_t axis, double angle, Instant now);
-/// Starts a calibration of the selected IMU.
-void begin_calibration(MenuParts& parts, Calibrations::Kind kind, Instant now);
-
 }  // namespace sbgc::emulator

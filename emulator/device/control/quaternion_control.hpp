@@ -9,7 +9,7 @@
 #include <sbgc/messages/control.hpp>
 #include <sbgc/time.hpp>
 
-#include "physics/quaternion.hpp"
+#include "physics/attitude.hpp"
 
 namespace sbgc::emulator {
 

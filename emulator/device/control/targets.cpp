@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "device/control/modes.hpp"
+#include "device/control/reported_state.hpp"
 #include "device/parameters/parameters.hpp"
 #include "device/peripherals/remote_control.hpp"
 

@@ -9,8 +9,7 @@
 #include <sbgc/meta/debug.hpp>
 #include <sbgc/validate.hpp>
 
-#include "device/debug/debug_copies.hpp"
-#include "device/debug/debug_variables.hpp"
+#include "device/debug/debugging.hpp"
 
 namespace sbgc::emulator {
 

@@ -9,7 +9,6 @@
 #include <sbgc/roles.hpp>
 
 #include "device/features.hpp"
-#include "device/modules/module_flash.hpp"
 #include "device/modules/modules.hpp"
 
 namespace sbgc::emulator {

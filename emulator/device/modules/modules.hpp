@@ -1,8 +1,10 @@
-/// The modules on the board's CAN bus.
+/// The modules on the board's CAN bus, and new firmware for them.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
+#include <optional>
 #include <vector>
 
 #include <sbgc/emulator/board_options.hpp>
@@ -33,5 +35,39 @@ std::vector<Module> modules_of(const BoardOptions& options);
 msg::CanDrvTelemetry telemetry(const BoardOptions& options, ExternalMotors& external_motors,
                                Gimbal& gimbal, std::size_t driver, msg::CanDrvTelemetryFlags fields,
                                msg::MillisecondClock time, Instant now);
+
+/// CMD_MODULE_FLASH_*: takes the parts of a file in their order, for one module at a time. A module
+/// whose loading has begun has no firmware until it ends. A restart of the board drops what is
+/// loading. Assumption: the reasons of refusals.
+class ModuleFlash {
+ public:
+  using Firmware = std::vector<std::uint8_t>;
+
+  /// Each returns false, without effect, for what does not fit.
+  bool start(const msg::ModuleFlashStart& request);
+  bool write(const msg::ModuleFlashWrite& request);
+  bool finish(const msg::ModuleFlashFinish& request);
+  /// The number of the next part, modulo 256.
+  std::uint8_t next_packet() const { return run_ ? run_->packet : std::uint8_t{0}; }
+
+  /// The firmware that was loaded into a module; empty while or after a loading that did not end.
+  /// Nothing for a module with its first firmware.
+  const std::map<msg::ModuleId, Firmware>& firmware() const { return firmware_; }
+
+  Instant next() const { return Instant::never; }
+  void advance(Instant /*now*/) {}
+  void restart(Instant /*now*/) { run_.reset(); }
+
+ private:
+  struct Run {
+    msg::ModuleId module{};
+    std::size_t size{};
+    std::uint8_t packet{};
+    Firmware data{};
+  };
+
+  std::optional<Run> run_{};
+  std::map<msg::ModuleId, Firmware> firmware_{};
+};
 
 }  // namespace sbgc::emulator

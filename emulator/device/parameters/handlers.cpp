@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <span>
 
-#include "device/control/modes.hpp"
+#include "device/control/reported_state.hpp"
 #include "device/imu/imus.hpp"
 #include "device/parameters/parameters.hpp"
 

@@ -1,15 +1,15 @@
 #include "device/realtime/custom_data.hpp"
 
-#include "device/control/modes.hpp"
 #include "device/control/quaternion_control.hpp"
+#include "device/control/reported_state.hpp"
 #include "device/control/targets.hpp"
 #include "device/features.hpp"
 #include "device/imu/imus.hpp"
 #include "device/parameters/parameters.hpp"
 #include "device/realtime/live_data.hpp"
 #include "device/realtime/measured_parts.hpp"
+#include "physics/attitude.hpp"
 #include "physics/quantities.hpp"
-#include "physics/quaternion.hpp"
 
 namespace sbgc::emulator {
 namespace {

@@ -3,10 +3,10 @@
 #include <cmath>
 
 #include "device/calibration/calibrations.hpp"
-#include "device/cycle.hpp"
 #include "device/features.hpp"
 #include "device/parameters/parameters.hpp"
 #include "device/ports.hpp"
+#include "device/realtime/streams.hpp"
 #include "device/system/restarts.hpp"
 
 namespace sbgc::emulator {

@@ -5,7 +5,6 @@
 #include <sbgc/responses/realtime.hpp>
 #include <sbgc/roles.hpp>
 
-#include "device/cycle.hpp"
 #include "device/ports.hpp"
 #include "device/realtime/live_data.hpp"
 

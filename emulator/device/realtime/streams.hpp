@@ -9,12 +9,16 @@
 #include <sbgc/messages/control.hpp>
 #include <sbgc/messages/realtime.hpp>
 #include <sbgc/response_policy.hpp>
+#include <sbgc/roles.hpp>
 #include <sbgc/time.hpp>
 
 namespace sbgc::emulator {
 
 class Ports;
 struct MeasuredParts;
+
+/// The cycle of the controller.
+inline constexpr Duration cycle = microseconds(roles::stream_cycle_us);
 
 class Streams {
  public:

@@ -1,4 +1,4 @@
-/// The EEPROM of the board.
+/// The EEPROM of the board, and records in it: message bodies with a checksum.
 #pragma once
 
 #include <cstddef>
@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <sbgc/emulator/memory.hpp>
+#include <sbgc/enums.hpp>
 
 namespace sbgc::emulator {
 
@@ -50,5 +51,24 @@ class Eeprom {
 
   Memory& memory_;
 };
+
+/// Identifies the content of a record. It is part of the record, so a record in the wrong place is
+/// invalid.
+struct RecordId {
+  msg::CommandFromBoard command{};
+  std::uint8_t copy{};
+};
+
+/// The size of a record for a body of any length, in whole pages, so that writing a record with
+/// CMD_EEPROM_WRITE does not affect others.
+std::size_t record_size();
+
+/// Returns the body; nothing if the record is missing or damaged. Precondition: record_size() bytes
+/// from `address` are inside the EEPROM.
+std::optional<std::vector<std::uint8_t>> read_record(const Eeprom& eeprom, std::size_t address,
+                                                     RecordId id);
+/// Returns false, without effect, if the body is longer than any message.
+bool write_record(Eeprom& eeprom, std::size_t address, RecordId id,
+                  std::span<const std::uint8_t> body);
 
 }  // namespace sbgc::emulator

@@ -6,7 +6,7 @@
 #include <sbgc/meta/realtime.hpp>
 #include <sbgc/roles.hpp>
 
-#include "device/control/modes.hpp"
+#include "device/control/reported_state.hpp"
 #include "device/external_motors/external_motors.hpp"
 #include "device/features.hpp"
 #include "device/modules/modules.hpp"

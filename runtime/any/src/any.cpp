@@ -1,15 +1,150 @@
 #include <array>
 #include <cstddef>
 #include <cstring>
+#include <string_view>
 
 #include <sbgc/any.hpp>
 #include <sbgc/frame.hpp>
+#include <sbgc/internal/compiler.hpp>
+#include <sbgc/internal/table.hpp>
 #include <sbgc/internal/table_access.hpp>
 #include <sbgc/text.hpp>
+#include <sbgc/text/leaves.hpp>
 #include <sbgc/to_json.hpp>
 
-#include "equal_values.hpp"
-#include "leaf_finder.hpp"
+#include "path_steps.hpp"
+
+namespace sbgc::detail {
+
+namespace {
+
+/// Walks along a path by the tables, past the other values. The offset of the leaf is not known.
+class LeafFinder : LeafWalk {
+ public:
+  LeafFinder(std::string_view path, Use use, void* user, const Availability& versions)
+      : LeafWalk(use, user, versions), steps_(path) {}
+
+  /// Uses the value at the path. Returns false if the message has none.
+  bool find(const StructTable& table, const void* message) {
+    table_ = &table;
+    message_ = message;
+    return members(table, message, nullptr);
+  }
+
+  /// Returns the number of elements at the path; 0 if the message has no such list.
+  std::size_t count(const StructTable& table, const void* message) {
+    members(table, message, nullptr);
+    return count_;
+  }
+
+ private:
+  bool members(const StructTable& table, const void* object, const FieldPath* parent) {
+    const std::string_view name = steps_.take_name();
+    const VariableInfo* variable = nullptr;
+    const FieldInfo* field = table.fields;
+    for (const Slot& slot : table.slots) {
+      const void* const at = moved(object, slot.offset);
+      if (slot.type->is_variable_id) variable = find_variable(load<msg::VariableId>(at));
+      if (name == field->name) {
+        const FieldPath path{parent, field->name};
+        const bool has_variable = field->is_variable_value && is_plain_integer(*slot.type);
+        return value(*field, *slot.type, at, path, has_variable ? variable : nullptr);
+      }
+      ++field;
+    }
+    if (table.tail.type == nullptr || name != tail_field.name) return false;
+    const void* const tail = moved(object, table.tail.offset);
+    if (size_at(*table.tail.type, tail) == 0) return false;
+    return value(tail_field, *table.tail.type, tail, {parent, tail_field.name});
+  }
+
+  bool value(const FieldInfo& field, const ValueType& type, const void* at, const FieldPath& path,
+             const VariableInfo* variable = nullptr) {
+    switch (type.kind) {
+      case Kind::group: return members(*type.group, at, &path);
+      case Kind::axes: return axis(field, type, at, path);
+      case Kind::array:
+      case Kind::list: return element(field, type, at, path);
+      case Kind::optional: return is_present(type, at) && value(field, *type.element, at, path);
+      default: break;
+    }
+    if (!steps_.is_end()) return false;
+    if (field.alternative != nullptr) skip(*table_, message_);
+    if (variable != nullptr) {
+      scalar(field, type, at, path, {.unit = &variable->unit}, variable->later);
+    } else {
+      LeafWalk::value(field, type, at, path);
+    }
+    return true;
+  }
+
+  bool axis(const FieldInfo& field, const ValueType& type, const void* at, const FieldPath& path) {
+    const std::string_view name = steps_.take_name();
+    for (std::size_t i = 0; i < type.count; ++i) {
+      const char* const own = type.group->fields[i].name;
+      if (name == own) return value(field, *type.element, element_at(type, at, i), {&path, own, i});
+    }
+    return false;
+  }
+
+  bool element(const FieldInfo& field, const ValueType& type, const void* at,
+               const FieldPath& path) {
+    const std::size_t size = size_at(type, at);
+    if (steps_.is_end()) count_ = size;
+    const std::size_t index = steps_.take_index();
+    if (index >= size) return false;
+    return value(field, *type.element, element_at(type, at, index), {&path, "", index});
+  }
+
+  PathSteps steps_;
+  const StructTable* table_ = nullptr;
+  const void* message_ = nullptr;
+  std::size_t count_ = 0;
+};
+
+/// Compares messages as operator== of them does, which compares real numbers as such.
+bool are_equal(const StructTable& table, const void* a, const void* b) noexcept;
+
+bool are_equal(const ValueType& type, const void* a, const void* b) noexcept {
+  switch (type.kind) {
+    case Kind::scalar:
+      if (is_real(type.raw)) return load_real(type.raw, a) == load_real(type.raw, b);
+      return is_same_memory(a, b, type.memory);
+    case Kind::group: return are_equal(*type.group, a, b);
+    case Kind::number: return load<Number>(a) == load<Number>(b);
+    case Kind::counter: return true;  // follows from the list
+    case Kind::optional:
+      if (is_present(type, a) != is_present(type, b)) return false;
+      return !is_present(type, a) || are_equal(*type.element, a, b);
+    case Kind::axes:
+    case Kind::array:
+    case Kind::list:
+    case Kind::bytes:
+    case Kind::text: break;
+  }
+  const std::size_t size = type.is_bounded ? size_at(type, a) : type.count;
+  if (type.is_bounded && size_at(type, b) != size) return false;
+  if (type.element == nullptr) {
+    return is_same_memory(moved(a, type.begin), moved(b, type.begin), size);
+  }
+  for (std::size_t i = 0; i < size; ++i) {
+    if (!are_equal(*type.element, element_at(type, a, i), element_at(type, b, i))) return false;
+  }
+  return true;
+}
+
+bool are_equal(const StructTable& table, const void* a, const void* b) noexcept {
+  const auto is_same = [&](const Slot& slot) {
+    return are_equal(*slot.type, moved(a, slot.offset), moved(b, slot.offset));
+  };
+  for (const Slot& slot : table.slots) {
+    if (!is_same(slot)) return false;
+  }
+  return table.tail.type == nullptr || is_same(table.tail);
+}
+
+}  // namespace
+}  // namespace sbgc::detail
 
 namespace sbgc {
 

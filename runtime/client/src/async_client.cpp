@@ -11,7 +11,6 @@
 
 #include <sbgc/client/async_client.hpp>
 
-#include "connect.hpp"
 #include "connection.hpp"
 #include "reconnecting/reconnection.hpp"
 

@@ -10,7 +10,6 @@
 #include <sbgc/client/client.hpp>
 #include <sbgc/client/own_transport.hpp>
 
-#include "connect.hpp"
 #include "connection.hpp"
 #include "reconnecting/reconnection.hpp"
 

@@ -1,3 +1,4 @@
+#include <condition_variable>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -15,10 +16,46 @@
 #include <sbgc/io/internal/timer.hpp>
 
 #include "connection.hpp"
-#include "driving/asio_driver.hpp"
-#include "driving/order_of.hpp"
+#include "conversation/state.hpp"
 #include "driving/task_driver.hpp"
-#include "shared_speed.hpp"
+#include "tasks/hold_speed.hpp"
+#include "threads.hpp"
+
+namespace sbgc::detail {
+
+/// A held speed that threads share.
+class SharedSpeed final : public HeldSpeed {
+ public:
+  SharedSpeed(const DeadMansSwitch& rules, Order order)
+      : HeldSpeed(rules, std::move(order), make_mutex()) {}
+
+  /// Waits until there is nothing to send; `now()` is the time of the task.
+  template <class Now>
+  Result<void> wait(const Now& now) {
+    const Holding holding(lock());
+    idle_.wait(*lock(), [&] { return has_settled(now()); });
+    return outcome();
+  }
+
+ private:
+  void idle() override { idle_.notify_all(); }
+
+  std::condition_variable_any idle_;
+};
+
+namespace {
+
+/// The order of a conversation's tasks.
+HeldSpeed::Order order_of(const Conversation& conversation) {
+  return {.begin = [conversation] { return conversation.state()->calls()->order().begin(); },
+          .is_superseded =
+              [conversation](TaskNumber task) {
+                return conversation.state()->calls()->order().is_superseded(task);
+              }};
+}
+
+}  // namespace
+}  // namespace sbgc::detail
 
 namespace sbgc {
 

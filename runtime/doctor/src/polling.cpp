@@ -4,8 +4,6 @@
 #include <array>
 #include <cstdint>
 
-#include "seconds.hpp"
-
 namespace sbgc::doctor {
 
 namespace {

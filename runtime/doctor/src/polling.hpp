@@ -5,6 +5,7 @@
 
 #include <sbgc/analysis/uniform_samples.hpp>
 #include <sbgc/client/task.hpp>
+#include <sbgc/time.hpp>
 #include <sbgc/types.hpp>
 
 namespace sbgc::doctor {
@@ -19,5 +20,7 @@ Task<Result<analysis::UniformSamples>> poll_at(Ask ask, Duration interval, Durat
 /// Samples for `time` at the highest rate at which the board keeps up: begins with the time in
 /// which it answers almost always, and again at half of the rate if too many samples are missing.
 Task<Result<analysis::UniformSamples>> poll_often(Ask ask, Duration time);
+
+constexpr double in_seconds(Duration duration) { return 1e-6 * static_cast<double>(duration.us); }
 
 }  // namespace sbgc::doctor

@@ -13,7 +13,7 @@
 #include <sbgc/io/clock.hpp>
 #include <sbgc/io/transport.hpp>
 
-#include "hosts/host_ports.hpp"
+#include "hosts/endpoint.hpp"
 
 namespace sbgc::hosts {
 

@@ -1,13 +1,29 @@
 #include <algorithm>
 #include <cerrno>
+#include <cstddef>
 #include <memory>
 #include <span>
+#include <string>
+#include <tuple>
 
 #include <libserialport.h>
 
 #include <sbgc/io/ports.hpp>
 
-#include "port_order.hpp"
+namespace sbgc::io::detail {
+namespace {
+
+/// Orders ttyUSB2 before ttyUSB10: of two numbers, the shorter one is smaller.
+bool comes_before(const std::string& a, const std::string& b) {
+  const auto key = [](const std::string& name) {
+    const std::size_t digits = name.find_last_not_of("0123456789") + 1;
+    return std::tuple(name.substr(0, digits), name.size(), name);
+  };
+  return key(a) < key(b);
+}
+
+}  // namespace
+}  // namespace sbgc::io::detail
 
 namespace sbgc::io {
 

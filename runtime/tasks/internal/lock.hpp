@@ -1,7 +1,9 @@
-/// Locks of an owner with threads: the tasks and the dialogue lock nothing themselves.
+/// Locks of an owner with threads, and values that threads share: the tasks and the dialogue lock
+/// nothing themselves.
 #pragma once
 
 #include <memory>
+#include <utility>
 
 namespace sbgc::detail {
 
@@ -36,6 +38,33 @@ class Holding {
 
  private:
   Lock* lock_;
+};
+
+/// Holds its lock while the value is used: `value->member()`, or `*value.lock()`.
+template <class T>
+class Guarded {
+ public:
+  class Access {
+   public:
+    explicit Access(const Guarded& from) : holding_(from.lock_), value_(from.value_) {}
+    T* operator->() const noexcept { return &value_; }
+    T& operator*() const noexcept { return value_; }
+
+   private:
+    Holding holding_;
+    T& value_;
+  };
+
+  template <class... Arguments>
+  explicit Guarded(LockPointer lock, Arguments&&... arguments)
+      : lock_(std::move(lock)), value_(std::forward<Arguments>(arguments)...) {}
+
+  Access lock() const { return Access(*this); }
+  Access operator->() const { return lock(); }
+
+ private:
+  LockPointer lock_;
+  mutable T value_;  // as with a pointer, const says nothing about the value
 };
 
 }  // namespace sbgc::detail

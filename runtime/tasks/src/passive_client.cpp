@@ -6,7 +6,6 @@
 #include <sbgc/client/passive_client.hpp>
 #include <sbgc/roles.hpp>
 
-#include "introduction.hpp"
 #include "passive_state.hpp"
 
 namespace sbgc {

@@ -11,10 +11,9 @@
 #include <sbgc/client/passive_client.hpp>
 #include <sbgc/detector.hpp>
 
+#include "calls/pending_calls.hpp"
 #include "calls/stream_listeners.hpp"
-#include "conversation/delivery.hpp"
 #include "conversation/dialogue.hpp"
-#include "conversation/shared_calls.hpp"
 
 namespace sbgc {
 

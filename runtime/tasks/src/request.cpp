@@ -5,7 +5,10 @@
 
 #include <sbgc/any.hpp>
 #include <sbgc/availability.hpp>
+#include <sbgc/client/raw_request.hpp>
+#include <sbgc/client/reply.hpp>
 #include <sbgc/client/request.hpp>
+#include <sbgc/client/typed.hpp>
 #include <sbgc/dispatch.hpp>
 #include <sbgc/explain.hpp>
 #include <sbgc/message.hpp>
@@ -14,7 +17,7 @@
 #include <sbgc/roles.hpp>
 #include <sbgc/text.hpp>
 
-#include "policy_of.hpp"
+#include "board_text.hpp"
 
 namespace sbgc::detail {
 
@@ -94,8 +97,8 @@ bool is_motion(const ResponsePolicy& policy, Effects effects) {
   return policy.stops || (policy.moves && (effects.raw() & ~motion.raw()) == 0);
 }
 
-}  // namespace
-
+/// Returns the policy of a request whose type is known only at run time; an empty one for a message
+/// from the board.
 ResponsePolicy policy_of(const AnyMessage& message) {
   ResponsePolicy policy;
   AllMessages::for_each([&]<class M>(Type<M>) {
@@ -105,6 +108,8 @@ ResponsePolicy policy_of(const AnyMessage& message) {
   });
   return policy;
 }
+
+}  // namespace
 
 Result<Request> prepare(const AnyMessage& message, const Availability& versions, bool validate) {
   const MessageType& type = message.type();
@@ -140,4 +145,92 @@ std::optional<ClientError> stream_refusal(const MessageType& type, const Availab
   return refusal(*type.info, versions);
 }
 
+Status decode_in_context(const Reply& reply, const MessageType& type, void* out) noexcept {
+  const Contexts none;
+  const AnyOperations& operations = *type.operations;
+  return operations.decode(operations, reply.body, out, reply.contexts ? *reply.contexts : none);
+}
+
+Result<std::int64_t> stream_interval_count(std::chrono::milliseconds interval, std::int64_t most) {
+  constexpr std::int64_t unit = roles::stream_interval_us;
+  const std::int64_t longest = most * unit / 1000;
+  const std::int64_t wanted = interval.count();
+  const bool is_possible = wanted > 0 && wanted <= longest && wanted * 1000 % unit == 0 &&
+                           wanted * 1000 / unit != roles::stream_end;
+  if (is_possible) return wanted * 1000 / unit;
+  return ClientError{ErrorCode::invalid,
+                     "a stream interval of " + std::to_string(wanted) +
+                         " ms is not possible: the range is " +
+                         std::to_string(std::max<std::int64_t>(unit / 1000, 1)) + " to " +
+                         std::to_string(longest) + " ms"};
+}
+
+ClientError decode_error(Status status, const Reply& reply) {
+  const Contexts contexts = reply.contexts == nullptr ? Contexts{} : *reply.contexts;
+  return {ErrorCode::bad_response,
+          "the response " + undecodable(status, reply.id, reply.body, contexts)};
+}
+
+template <>
+Result<std::optional<AnyMessage>> read_any(const Result<Reply>& reply) {
+  if (!reply) return reply.error();
+  const Contexts contexts = reply->contexts == nullptr ? Contexts{} : *reply->contexts;
+  const MessageType* const type =
+      find_message(Direction::from_board, reply->id, reply->body.size(), contexts);
+  if (type == nullptr) return std::optional<AnyMessage>();
+  AnyMessage message = type->make();
+  const Status status = message.decode(reply->body, contexts);
+  if (!status) return decode_error(status, *reply);
+  return std::optional(std::move(message));
+}
+
+ClientError missing_response(const Reply& reply) {
+  return {ErrorCode::bad_response, reply.kind == ReplyKind::confirmed
+                                       ? "the board sent only a confirmation"
+                                       : "the board sent no response"};
+}
+
+ClientError unconfirmed_error() {
+  return {ErrorCode::unconfirmed, "sent; the board did not confirm it"};
+}
+
 }  // namespace sbgc::detail
+
+namespace sbgc {
+
+namespace {
+
+/// For the response to a request that no message describes.
+constexpr std::uint32_t unknown_timeout_ms = 1000;
+
+ResponsePolicy cautious_policy(std::uint8_t id) {
+  ResponsePolicy policy;
+  policy.responses.command = id;
+  policy.responses.confirmed = Confirmed::possible;
+  policy.responses.form_count = 1;
+  policy.responses.forms[0] = {.id = id,
+                               .min_size = 0,
+                               .max_size = static_cast<std::uint8_t>(max_body_size),
+                               .size = static_cast<std::uint8_t>(max_body_size)};
+  policy.confirmations = 1;
+  policy.response_required = true;
+  policy.has_effect = true;
+  policy.timeout_ms = unknown_timeout_ms;
+  return policy;
+}
+
+}  // namespace
+
+Result<RawRequest> raw_request(std::uint8_t id, std::span<const std::uint8_t> body) {
+  if (!check_frame(id, body.size(), max_frame_size) || body.size() > max_body_size) {
+    return ClientError{ErrorCode::invalid, "not a request that a frame can carry"};
+  }
+  RawRequest request{id, {body.begin(), body.end()}, cautious_policy(id)};
+  if (const MessageType* const type = find_message(Direction::to_board, id, body.size())) {
+    AnyMessage message = type->make();
+    if (message.decode(body)) request.policy = detail::policy_of(message);
+  }
+  return request;
+}
+
+}  // namespace sbgc

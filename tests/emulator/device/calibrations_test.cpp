@@ -10,8 +10,8 @@
 #include <numbers>
 #include <vector>
 
+#include "device/calibration/frequency_response.hpp"
 #include "host.hpp"
-#include "physics/axis_response.hpp"
 #include "recorded_axis.hpp"
 
 namespace sbgc::test {

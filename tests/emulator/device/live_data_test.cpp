@@ -13,7 +13,7 @@
 #include <sbgc/meta/enums.hpp>
 #include <sbgc/roles.hpp>
 
-#include "device/debug/debug_variables.hpp"
+#include "device/debug/debugging.hpp"
 #include "host.hpp"
 #include "random_input.hpp"
 

@@ -18,7 +18,6 @@
 #include <sbgc/wire.hpp>
 
 #include "device/storage/eeprom.hpp"
-#include "device/storage/eeprom_records.hpp"
 #include "device/storage/file_system.hpp"
 
 namespace sbgc {

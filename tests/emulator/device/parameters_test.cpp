@@ -16,7 +16,7 @@
 #include <sbgc/validate.hpp>
 
 #include "device/parameters/gimbal_tuning.hpp"
-#include "device/storage/eeprom_records.hpp"
+#include "device/storage/eeprom.hpp"
 #include "host.hpp"
 #include "random_input.hpp"
 

@@ -1,11 +1,11 @@
 // Tests of quaternions against rotation matrices and against rotations that are easily imagined.
 
-#include "physics/quaternion.hpp"
-
 #include <cmath>
 #include <random>
 
 #include <gtest/gtest.h>
+
+#include "physics/attitude.hpp"
 
 namespace sbgc::emulator {
 namespace {

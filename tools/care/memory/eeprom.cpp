@@ -15,7 +15,7 @@
 #include "board/local_file.hpp"
 #include "board/progress_bar.hpp"
 #include "care/memory/eeprom_image.hpp"
-#include "command/arming.hpp"
+#include "command/common_options.hpp"
 #include "command/interruption.hpp"
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"

@@ -12,7 +12,7 @@
 #include "board/connection.hpp"
 #include "board/local_file.hpp"
 #include "board/progress_bar.hpp"
-#include "command/arming.hpp"
+#include "command/common_options.hpp"
 #include "command/interruption.hpp"
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"

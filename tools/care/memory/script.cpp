@@ -11,8 +11,8 @@
 #include <sbgc/messages/scripting.hpp>
 
 #include "board/connection.hpp"
-#include "command/arming.hpp"
 #include "command/background_output.hpp"
+#include "command/common_options.hpp"
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"
 #include "command/wording.hpp"
@@ -31,7 +31,7 @@ struct ScriptToStop {
   unsigned slot{};
 };
 
-void run(Client& client, unsigned slot, msg::ScriptMode mode, const CommandContext& context) {
+void set_mode(Client& client, unsigned slot, msg::ScriptMode mode, const CommandContext& context) {
   msg::RunScript request;
   request.mode = mode;
   request.slot = static_cast<std::uint8_t>(slot - 1);
@@ -65,7 +65,7 @@ int start_script(const ScriptToStart& options, const CommandContext& context) {
                   "the camera, change parameters, restart the board. It goes on after this command "
                   "has ended; `sbgc script stop {}` stops it.",
                   options.slot, options.slot));
-  run(client, options.slot, msg::ScriptMode::start, context);
+  set_mode(client, options.slot, msg::ScriptMode::start, context);
   remark("the script in slot {} has started\n", options.slot);
   return success;
 }
@@ -73,7 +73,7 @@ int start_script(const ScriptToStart& options, const CommandContext& context) {
 int stop_script(const ScriptToStop& options, const CommandContext& context) {
   remark_in_background();
   Client client = connect(context.gimbal);
-  run(client, options.slot, msg::ScriptMode::stop, context);
+  set_mode(client, options.slot, msg::ScriptMode::stop, context);
   remark("the script in slot {} has stopped; what it set in motion goes on until `sbgc stop`\n",
          options.slot);
   return success;

@@ -1,31 +1,111 @@
 // sbgc monitor: a live view of a gimbal, on the whole terminal.
 
 #include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <mutex>
 #include <optional>
+#include <span>
 #include <string>
+#include <utility>
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <sbgc/client/client.hpp>
+#include <sbgc/io/capture.hpp>
 #include <sbgc/io/observer.hpp>
 
 #include "board/connection.hpp"
 #include "board/listed_ports.hpp"
-#include "command/colors.hpp"
 #include "command/interruption.hpp"
-#include "command/number_range.hpp"
+#include "command/option_values.hpp"
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"
 #include "command/system.hpp"
 #include "command/terminal_restorer.hpp"
+#include "command/terminal_text.hpp"
 #include "look/monitor/gimbal_state.hpp"
 #include "look/monitor/pages.hpp"
-#include "look/monitor/recording.hpp"
 #include "look/monitor/screen.hpp"
 
 namespace sbgc::tools {
 
 namespace {
+
+/// Records the line while it is on. Thread-safe. The functions for the user return what to tell.
+class Recording final : public io::Observer {
+ public:
+  /// False, too, if the file can no longer be written, which begin_or_end() tells.
+  bool is_on() const;
+  /// Begins a file in this folder that is named by the time, or ends it. `line` describes the line.
+  std::string begin_or_end(const std::string& line);
+  /// Writes a note with a number into the file.
+  std::string mark();
+
+  void on_read(std::span<const std::uint8_t> bytes) override;
+  void on_written(std::span<const std::uint8_t> bytes) override;
+  void on_line_set(const LineSettings& settings) override;
+
+ private:
+  using Clock = io::CaptureWriter::Clock;
+
+  void add(io::CaptureKind kind, std::span<const std::uint8_t> bytes);
+
+  mutable std::mutex mutex_;
+  std::optional<io::CaptureWriter> file_{};
+  std::string name_{};
+  std::size_t marks_ = 0;
+};
+
+bool Recording::is_on() const {
+  const std::lock_guard lock(mutex_);
+  return file_ && !file_->error();
+}
+
+std::string Recording::begin_or_end(const std::string& line) {
+  const std::lock_guard lock(mutex_);
+  if (file_) {
+    const io::Error problem = file_->error();
+    file_.reset();
+    return problem ? problem.message : "recorded in " + name_;
+  }
+  const auto now =
+      std::chrono::time_point_cast<std::chrono::seconds>(std::chrono::system_clock::now());
+  name_ = fmt::format("monitor-{:%Y%m%dT%H%M%S}Z.capture", now);
+  io::CaptureWriter file;
+  if (const io::Error problem = file.open(name_)) return problem.message;
+  file.write_note(line, Clock::now());
+  file_ = std::move(file);
+  marks_ = 0;
+  return "recording to " + name_;
+}
+
+std::string Recording::mark() {
+  const std::lock_guard lock(mutex_);
+  if (!file_) return "nothing is recorded: r begins";
+  const std::string text = fmt::format("mark {}", ++marks_);
+  const io::Error& problem = file_->write_note(text, Clock::now());
+  return problem ? problem.message : text;
+}
+
+void Recording::on_read(std::span<const std::uint8_t> bytes) {
+  add(io::CaptureKind::from_board, bytes);
+}
+
+void Recording::on_written(std::span<const std::uint8_t> bytes) {
+  add(io::CaptureKind::to_board, bytes);
+}
+
+void Recording::on_line_set(const LineSettings& settings) {
+  const std::lock_guard lock(mutex_);
+  if (file_) file_->write_note("line: " + io::to_string(settings), Clock::now());
+}
+
+void Recording::add(io::CaptureKind kind, std::span<const std::uint8_t> bytes) {
+  const std::lock_guard lock(mutex_);
+  if (file_) file_->write(kind, bytes, Clock::now());
+}
 
 using Clock = std::chrono::steady_clock;
 

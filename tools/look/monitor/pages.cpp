@@ -12,7 +12,7 @@
 
 #include <sbgc/meta/realtime.hpp>
 
-#include "command/help_text.hpp"
+#include "command/terminal_text.hpp"
 #include "frames/value_rows.hpp"
 #include "signal/chart.hpp"
 #include "values/axis_values.hpp"

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "command/help_text.hpp"
+#include "command/terminal_text.hpp"
 
 namespace sbgc::tools {
 

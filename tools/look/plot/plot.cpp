@@ -20,21 +20,18 @@
 
 #include "board/connection.hpp"
 #include "board/progress_bar.hpp"
-#include "board/reconnecting.hpp"
-#include "command/choices.hpp"
-#include "command/duration.hpp"
-#include "command/help_text.hpp"
-#include "command/input.hpp"
+#include "command/input_output.hpp"
 #include "command/interruption.hpp"
+#include "command/option_values.hpp"
 #include "command/remark.hpp"
 #include "command/subcommand.hpp"
+#include "command/terminal_text.hpp"
 #include "command/wording.hpp"
 #include "frames/sample_writer.hpp"
 #include "frames/stream_type.hpp"
 #include "look/plot/drawing.hpp"
 #include "look/plot/table.hpp"
 #include "values/field_patterns.hpp"
-#include "values/stream_interval.hpp"
 
 namespace sbgc::tools {
 

@@ -5,7 +5,7 @@
 #include <sbgc/io/clock.hpp>
 
 #include "state.hpp"
-#include "waiter.hpp"
+#include "threads.hpp"
 
 namespace sbgc::detail {
 

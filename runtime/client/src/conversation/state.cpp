@@ -6,8 +6,6 @@
 #include <sbgc/internal/words.hpp>
 #include <sbgc/io/clock.hpp>
 
-#include "introduction.hpp"
-
 namespace sbgc::detail {
 
 namespace {

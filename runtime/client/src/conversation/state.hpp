@@ -19,13 +19,11 @@
 #include <sbgc/io/internal/timer.hpp>
 #include <sbgc/io/transport.hpp>
 
-#include "calls/polls.hpp"
+#include "calls/pending_calls.hpp"
 #include "calls/stream_listeners.hpp"
 #include "channel.hpp"
-#include "conversation/delivery.hpp"
 #include "conversation/dialogue.hpp"
-#include "conversation/shared_calls.hpp"
-#include "mutex.hpp"
+#include "threads.hpp"
 
 namespace sbgc::detail {
 

@@ -1,8 +1,12 @@
 #include "driving/task_driver.hpp"
 
 #include <memory>
+#include <thread>
 #include <utility>
 
+#include <asio/post.hpp>
+
+#include <sbgc/client/clock.hpp>
 #include <sbgc/client/link.hpp>
 #include <sbgc/io/clock.hpp>
 
@@ -177,4 +181,53 @@ void drive(const Conversation& conversation, TaskMachine& task, Clock& clock) {
   std::make_shared<TaskDriver>(conversation, task)->run(clock);
 }
 
+AsioDriver::AsioDriver(const asio::any_io_executor& executor, Conversation conversation,
+                       TaskMachine& task, std::function<void()> done)
+    : TaskDriver(std::move(conversation), task),
+      strand_(asio::make_strand(executor)),
+      timer_(strand_),
+      done_(std::move(done)) {}
+
+void AsioDriver::start() {
+  listen();
+  input_arrived();
+}
+
+void AsioDriver::input_arrived() {
+  asio::post(strand_, [this, self = shared_from_this()] { proceed(); });
+}
+
+void AsioDriver::proceed() {
+  if (!done_) return;
+  const TaskStep step = advance([this] { return timer_.now(); });
+  if (step.kind == TaskStep::Kind::done) {
+    timer_.cancel();
+    end();
+    return std::exchange(done_, nullptr)();
+  }
+  timer_.start(step.until, [this, self = shared_from_this()] { proceed(); });
+}
+
 }  // namespace sbgc::detail
+
+namespace sbgc {
+namespace {
+
+class SystemClock final : public Clock {
+ public:
+  TimePoint now() override { return std::chrono::steady_clock::now(); }
+  void sleep_until(TimePoint until) override { std::this_thread::sleep_until(until); }
+  void wait_until(std::unique_lock<std::mutex>& lock, std::condition_variable& changed,
+                  TimePoint until) override {
+    changed.wait_until(lock, until);
+  }
+};
+
+}  // namespace
+
+Clock& Clock::system() noexcept {
+  static SystemClock clock;
+  return clock;
+}
+
+}  // namespace sbgc

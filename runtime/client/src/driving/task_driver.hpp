@@ -1,15 +1,22 @@
-/// Drives a task: starts its calls and passes it their results.
+/// Drives a task on the calling thread, or in an Asio program: starts its calls and passes it their
+/// results.
 #pragma once
 
 #include <condition_variable>
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <utility>
 #include <vector>
+
+#include <asio/any_io_executor.hpp>
+#include <asio/strand.hpp>
 
 #include <sbgc/client/clock.hpp>
 #include <sbgc/client/conversation.hpp>
+#include <sbgc/client/link.hpp>
 #include <sbgc/client/task.hpp>
+#include <sbgc/io/internal/timer.hpp>
 
 namespace sbgc::detail {
 
@@ -63,5 +70,57 @@ class TaskDriver : public std::enable_shared_from_this<TaskDriver> {
 
 /// Drives a task to completion on the calling thread.
 void drive(const Conversation& conversation, TaskMachine& task, Clock& clock);
+
+/// Runs the task on a strand of the executor. Lives until the task is done.
+class AsioDriver : public TaskDriver {
+ public:
+  /// `done` owns the task.
+  AsioDriver(const asio::any_io_executor& executor, Conversation conversation, TaskMachine& task,
+             std::function<void()> done);
+
+  void start();
+
+ private:
+  void input_arrived() override;
+  void proceed();
+
+  asio::strand<asio::any_io_executor> strand_;
+  io::detail::Timer timer_;
+  std::function<void()> done_;  // empty once the task is done
+};
+
+/// The tasks that an asynchronous client drives. Thread-safe.
+class RunningTasks {
+ public:
+  /// Drives a task to its end; `done` owns it.
+  Stop run(const asio::any_io_executor& executor, const Conversation& conversation,
+           TaskMachine& task, std::function<void()> done) {
+    const auto driver = std::make_shared<AsioDriver>(executor, conversation, task, std::move(done));
+    {
+      const std::lock_guard lock(mutex_);
+      std::erase_if(drivers_, [](const auto& one) { return one.expired(); });
+      drivers_.push_back(driver);
+    }
+    driver->start();
+    return [weak = std::weak_ptr(driver)] { cancel(weak); };
+  }
+
+  void cancel_all() {
+    std::vector<std::weak_ptr<AsioDriver>> drivers;
+    {
+      const std::lock_guard lock(mutex_);
+      drivers.swap(drivers_);
+    }
+    for (const auto& driver : drivers) cancel(driver);
+  }
+
+ private:
+  static void cancel(const std::weak_ptr<AsioDriver>& weak) {
+    if (const auto driver = weak.lock()) driver->put([](TaskMachine& task) { task.cancel(); });
+  }
+
+  std::mutex mutex_;
+  std::vector<std::weak_ptr<AsioDriver>> drivers_;
+};
 
 }  // namespace sbgc::detail

@@ -1,8 +1,10 @@
-/// An operation that waits for a connection without a thread.
+/// Operations without a thread: one that waits for a connection, and one of several steps that can
+/// be stopped.
 #pragma once
 
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <utility>
 
@@ -65,6 +67,42 @@ class AwaitedClient : public std::enable_shared_from_this<AwaitedClient> {
   Look look_;
   std::function<ClientError()> too_late_;
   Use use_;
+};
+
+/// Stops the current step, and each later one as soon as it is set. Thread-safe.
+class CurrentStop {
+ public:
+  void set(const Stop& step) {
+    {
+      const std::lock_guard lock(mutex_);
+      step_ = step;
+      if (!is_stopped_) return;
+    }
+    step();
+  }
+  void stop() {
+    Stop step;
+    {
+      const std::lock_guard lock(mutex_);
+      is_stopped_ = true;
+      step = step_;
+    }
+    if (step) step();
+  }
+  /// Stops the step again that was set before it could be stopped.
+  void check() {
+    Stop step;
+    {
+      const std::lock_guard lock(mutex_);
+      if (is_stopped_) step = step_;
+    }
+    if (step) step();
+  }
+
+ private:
+  std::mutex mutex_;
+  Stop step_;
+  bool is_stopped_ = false;
 };
 
 }  // namespace sbgc::detail

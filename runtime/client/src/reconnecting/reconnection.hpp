@@ -17,12 +17,9 @@
 #include <sbgc/client/link.hpp>
 #include <sbgc/client/own_transport.hpp>
 
-#include "connect.hpp"
 #include "connection.hpp"
-#include "driving/running_tasks.hpp"
-#include "reconnecting/adapter.hpp"
+#include "driving/task_driver.hpp"
 #include "reconnecting/awaited_client.hpp"
-#include "reconnecting/current_stop.hpp"
 #include "reconnecting/kept_subscriptions.hpp"
 #include "reconnecting/search.hpp"
 

@@ -1,18 +1,111 @@
-/// The calls of a conversation that have not ended.
+/// The calls of a conversation that have not ended, and the commands of motion that it may still
+/// send.
 #pragma once
 
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
 #include <deque>
 #include <functional>
+#include <map>
+#include <memory>
 #include <optional>
 #include <set>
+#include <string>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
-#include "call.hpp"
-#include "motion_order.hpp"
+#include <sbgc/client/options.hpp>
+#include <sbgc/client/reply.hpp>
+#include <sbgc/client/request.hpp>
+#include <sbgc/session.hpp>
+
+#include "lock.hpp"
 
 namespace sbgc::detail {
+
+/// A stop, and any later motion, supersedes the motion of tasks that began before: these send none
+/// any more. A stop is superseded by a later motion, but not by a later stop.
+class MotionOrder {
+ public:
+  /// Called when a later task, with this number, supersedes one.
+  using Superseded = std::function<void(TaskNumber by)>;
+  using Calls = std::vector<std::function<void()>>;
+
+  /// Numbers a task that begins.
+  TaskNumber begin() noexcept { return ++last_; }
+
+  /// Called once if the task is superseded, until leave().
+  void join(TaskNumber task, Superseded superseded) {
+    tasks_.insert_or_assign(task, Entry{std::move(superseded)});
+  }
+  void leave(TaskNumber task) { tasks_.erase(task); }
+
+  /// True if the task may send no more motion.
+  bool is_superseded(TaskNumber task) const noexcept {
+    return task < std::max(last_motion_, last_stop_);
+  }
+
+  /// Returns false if the task may not send this command of motion, else notes that it does, and
+  /// appends the calls that tell the tasks which it supersedes.
+  bool admit(TaskNumber task, bool stops, Calls& calls) {
+    if (task < last_motion_ || (!stops && task < last_stop_)) return false;
+    TaskNumber& last = stops ? last_stop_ : last_motion_;
+    last = std::max(last, task);
+    const auto own = tasks_.find(task);
+    if (own != tasks_.end() && !stops) own->second.has_moved = true;
+    std::erase_if(tasks_, [&](auto& one) {
+      const bool is_superseded = one.first < task && (!stops || one.second.has_moved);
+      if (is_superseded) {
+        calls.push_back([tell = std::move(one.second.superseded), task] { tell(task); });
+      }
+      return is_superseded;
+    });
+    return true;
+  }
+
+ private:
+  struct Entry {
+    Superseded superseded{};
+    bool has_moved = false;
+  };
+
+  TaskNumber last_{};
+  TaskNumber last_motion_{};  // the latest task that has moved the camera
+  TaskNumber last_stop_{};
+  std::map<TaskNumber, Entry> tasks_{};
+};
+
+using ReplyHandler = std::function<void(Result<Reply>)>;
+
+/// A call and its deadline.
+struct Call {
+  CallId id{};
+  TaskNumber task{};  ///< that makes it; 0: none
+  Request request{};
+  SendOptions send{};
+  Instant deadline = Instant::never;
+  Duration allowed{};  ///< from its start to the deadline
+  std::function<void(unsigned)> on_confirmation{};
+  std::function<void(const Frame&)> on_series{};
+  ReplyHandler handler{};
+  Handle handle{};  ///< in the session, once sent; only Dialogue uses it
+  std::atomic<bool> was_sent = false;
+};
+
+using CallPointer = std::shared_ptr<Call>;
+
+/// Creates a call that starts at `now`. `options` override `defaults`.
+CallPointer make_call(CallId id, Request request, const CallOptions& options,
+                      const ConnectOptions& defaults, Instant now, ReplyHandler handler);
+/// Returns whole milliseconds, rounded up: "150 ms".
+std::string milliseconds_text(Duration duration);
+/// The error of a call that was not sent because of a stop, or of a later motion.
+ClientError superseded_error(const Call& call);
+/// How a call ends whose deadline has passed: with an error, unless only a confirmation is missing
+/// that the board may leave out.
+Result<Reply> overdue_result(const Call& call);
 
 /// Whoever ends a call takes it out first, so each call ends exactly once. Not thread-safe: the
 /// owner locks it, but not while a handler runs.
@@ -66,6 +159,30 @@ class PendingCalls {
   std::deque<CallPointer> waiting_reads_;
   std::set<std::pair<Instant, CallId>> deadlines_;
   MotionOrder order_;
+};
+
+/// The pending calls of a conversation, which threads may share.
+class SharedCalls : public Guarded<PendingCalls> {
+ public:
+  explicit SharedCalls(std::size_t most_waiting, LockPointer lock = nullptr)
+      : Guarded(std::move(lock), most_waiting) {}
+
+  /// Passes its result to the handler of a call that was taken out, or was never added. Must be
+  /// called without the lock.
+  void complete(const Call& call, Result<Reply> result) {
+    if (!result) lock()->count_failed();
+    call.handler(std::move(result));
+  }
+
+  /// Adds a call, ends what it supersedes, and tells the tasks. Returns the reason for rejecting
+  /// it.
+  std::optional<ClientError> begin(const CallPointer& call) {
+    PendingCalls::Superseded superseded;
+    auto refusal = lock()->add(call, superseded);
+    for (const auto& tell : superseded.tasks) tell();
+    for (const CallPointer& one : superseded.calls) complete(*one, superseded_error(*one));
+    return refusal;
+  }
 };
 
 }  // namespace sbgc::detail

@@ -9,7 +9,7 @@
 #include <sbgc/messages/control.hpp>
 #include <sbgc/messages/realtime.hpp>
 
-#include "tasks/control_timeout.hpp"
+#include "tasks/motion_tools.hpp"
 #include "tasks/tools.hpp"
 
 namespace sbgc::detail {

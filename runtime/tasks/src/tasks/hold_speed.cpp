@@ -5,7 +5,7 @@
 
 #include <sbgc/messages/control.hpp>
 
-#include "tasks/patience.hpp"
+#include "tasks/motion_tools.hpp"
 #include "tasks/tools.hpp"
 
 namespace sbgc::detail {

@@ -15,8 +15,7 @@
 #include <sbgc/messages/parameters.hpp>
 
 #include "tasks/agreement.hpp"
-#include "tasks/control_timeout.hpp"
-#include "tasks/patience.hpp"
+#include "tasks/motion_tools.hpp"
 #include "tasks/tools.hpp"
 
 namespace sbgc {

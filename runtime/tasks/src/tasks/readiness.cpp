@@ -2,11 +2,14 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include <sbgc/availability.hpp>
+#include <sbgc/client/question.hpp>
 #include <sbgc/client/readiness.hpp>
 #include <sbgc/client/sensor_motion.hpp>
 #include <sbgc/internal/words.hpp>
@@ -204,6 +207,21 @@ class ReadinessCheck {
 }  // namespace
 
 namespace tasks {
+
+Task<Result<bool>> ask(AskHandler handler, Question question) {
+  TaskMachine& task = co_await this_task();
+  if (!handler) co_return false;
+  const auto answer = std::make_shared<std::optional<bool>>();
+  handler(question, [&task, answer](bool is_yes) {
+    *answer = is_yes;
+    task.wake();
+  });
+  while (!*answer) {
+    const Result<void> waited = co_await wait_for_wake(Instant::never);
+    if (!waited) co_return waited.error();
+  }
+  co_return **answer;
+}
 
 Task<Result<Readiness>> check_readiness(ReadinessOptions options) {
   ReadinessCheck check(options);

@@ -14,7 +14,9 @@ using sbgc::LineSettings;
 using sbgc::Parity;
 
 /// Formats line settings: "115200 8N1".
-std::string to_string(const LineSettings& settings);
+inline std::string to_string(const LineSettings& settings) {
+  return std::to_string(settings.baud_rate) + (settings.parity == Parity::even ? " 8E1" : " 8N1");
+}
 
 /// Control over the line of a transport that has one. Calls do not block.
 class LineControl {
