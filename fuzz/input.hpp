@@ -1,14 +1,18 @@
-/// The input of a fuzzer as a script.
+/// What the fuzzers share: the end for a broken invariant, and the input as a script.
 #pragma once
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <span>
 
-#include "require.hpp"
-
 namespace sbgc::fuzz {
+
+/// Ends a fuzzer, which thereby reports its input, if an invariant does not hold.
+inline void require(bool condition) {
+  if (!condition) std::abort();
+}
 
 /// Bytes that are read one after the other; after the end, all are 0.
 class Input {

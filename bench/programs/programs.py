@@ -2,8 +2,7 @@
 
 usage: programs.py [--quick] BUILD_FOLDER SBGC    (writes the format of Google Benchmark)
 
-SBGC is the command.
-Times are those of the processor, user and system. The files of the compiler are next to this script.
+SBGC is the command. Times are those of the processor, user and system.
 """
 
 from __future__ import annotations
@@ -16,10 +15,31 @@ from pathlib import Path
 from typing import Any
 
 ROOT = Path(__file__).resolve().parents[2]
-HERE = Path(__file__).parent
-sys.path.append(str(HERE.parent / "instructions"))
+sys.path.append(str(ROOT / "bench/instructions"))
 
 import instructions  # noqa: E402  # the streams to decode are the same
+
+# Programs of users: one needs one message as JSON, the other one family of messages.
+SOURCES = {
+    "json_of_one_message": """
+#include <sbgc/json.hpp>
+#include <sbgc/meta/realtime.hpp>
+
+std::string write(const sbgc::msg::RealtimeData4& message) { return sbgc::to_json(message); }
+
+bool read(std::string_view text, sbgc::msg::RealtimeData4& message) {
+  return static_cast<bool>(sbgc::from_json(text, message));
+}
+""",
+    "one_family": """
+#include <sbgc/message.hpp>
+#include <sbgc/messages/control.hpp>
+
+sbgc::WriteResult write(const sbgc::msg::ControlExt& control, std::span<std::uint8_t> frame) {
+  return sbgc::encode_frame(control, frame);
+}
+""",
+}
 
 
 def run(*command: str) -> tuple[float, int]:
@@ -79,9 +99,11 @@ def generator(folder: Path, repetitions: int) -> list[dict[str, Any]]:
 def compiler(folder: Path, repetitions: int) -> list[dict[str, Any]]:
     include = (f"-I{ROOT}/runtime/core/include", f"-I{ROOT}/generated/include")
     entries = []
-    for source in sorted(HERE.glob("*.cpp")):
+    for name, text in SOURCES.items():
+        source = folder / f"{name}.cpp"
+        source.write_text(text, encoding="utf-8")
         command = ("g++", "-std=c++20", "-O2", *include, "-c", str(source), "-o", f"{folder}/out.o")
-        entries += [entry(f"compile/{source.stem}", run(*command)[0]) for _ in range(repetitions)]
+        entries += [entry(f"compile/{name}", run(*command)[0]) for _ in range(repetitions)]
     return entries
 
 

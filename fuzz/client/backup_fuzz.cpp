@@ -10,7 +10,7 @@
 #include <sbgc/client/backup.hpp>
 
 #include "hostile_text.hpp"
-#include "require.hpp"
+#include "input.hpp"
 
 namespace {
 

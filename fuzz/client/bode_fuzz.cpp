@@ -11,7 +11,7 @@
 #include <sbgc/client/bode.hpp>
 
 #include "hostile_text.hpp"
-#include "require.hpp"
+#include "input.hpp"
 
 namespace {
 

@@ -21,7 +21,7 @@
 
 #include "core/both_paths.hpp"
 #include "core/reference_parser.hpp"
-#include "require.hpp"
+#include "input.hpp"
 
 namespace {
 

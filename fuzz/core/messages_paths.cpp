@@ -24,7 +24,7 @@
 #include <sbgc/validate.hpp>
 
 #include "core/both_paths.hpp"
-#include "require.hpp"
+#include "input.hpp"
 
 namespace {
 

@@ -22,7 +22,7 @@
 #include <sbgc/messages.hpp>
 #include <sbgc/parser.hpp>
 
-#include "require.hpp"
+#include "input.hpp"
 
 namespace {
 

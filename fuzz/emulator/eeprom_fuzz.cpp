@@ -19,7 +19,7 @@
 
 #include "device/parameters/parameters.hpp"
 #include "device/storage/file_system.hpp"
-#include "require.hpp"
+#include "input.hpp"
 
 namespace {
 

@@ -16,7 +16,7 @@
 #include "device/parameters/parameters.hpp"
 #include "device/storage/file_system.hpp"
 #include "hostile_text.hpp"
-#include "require.hpp"
+#include "input.hpp"
 #include "serving/memory_file.hpp"
 
 namespace {

@@ -39,7 +39,7 @@
 #include "frames/input_guess.hpp"
 #include "frames/pasted_text.hpp"
 #include "frames/rejected_candidates.hpp"
-#include "require.hpp"
+#include "input.hpp"
 
 namespace {
 

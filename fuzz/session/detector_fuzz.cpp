@@ -10,7 +10,7 @@
 
 #include <sbgc/detector.hpp>
 
-#include "require.hpp"
+#include "input.hpp"
 
 namespace {
 

@@ -16,7 +16,7 @@
 #include <sbgc/session.hpp>
 #include <sbgc/visit.hpp>
 
-#include "require.hpp"
+#include "input.hpp"
 
 namespace {
 

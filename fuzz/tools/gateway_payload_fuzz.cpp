@@ -11,7 +11,7 @@
 
 #include "gateway/orders.hpp"
 #include "gateway/payload.hpp"
-#include "require.hpp"
+#include "input.hpp"
 #include "values/message_names.hpp"
 
 namespace {

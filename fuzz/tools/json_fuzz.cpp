@@ -24,7 +24,7 @@
 
 #include "frames/encode_line.hpp"
 #include "hostile_text.hpp"
-#include "require.hpp"
+#include "input.hpp"
 
 namespace {
 

@@ -12,8 +12,8 @@
 #include <sbgc/client/parameters.hpp>
 
 #include "hostile_text.hpp"
+#include "input.hpp"
 #include "parameters/vendor_values.hpp"
-#include "require.hpp"
 
 namespace {
 

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from certificates import certificates
+from brokers import certificates
 from gateway import Gateway, eventually
 from sbgc_command import PROGRAM, run
 

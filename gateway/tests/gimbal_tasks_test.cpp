@@ -21,8 +21,7 @@
 #include <sbgc/messages.hpp>
 #include <sbgc/meta/control.hpp>
 
-#include "collector.hpp"
-#include "emulated_board.hpp"
+#include "testing.hpp"
 
 namespace sbgc::tools {
 namespace {

@@ -1,7 +1,9 @@
-"""`sbgc gateway`: a stop stays owed until it is done, over silence, a restart and a line that loses bytes."""
+"""`sbgc gateway`: a stop stays owed until it is done, over silence, a restart and a line that loses bytes; and a
+terminal that closes."""
 
 from __future__ import annotations
 
+import signal
 import sqlite3
 import threading
 import time
@@ -190,3 +192,24 @@ def test_a_slow_line_with_other_programs_is_not_silent(stage: Stage) -> None:
             assert answers.count(21) > 15, "the line was busy"
             assert not has_event(stage, "silent") and stage.online() == 1
             assert stage.turns()
+
+
+def test_signals_do_not_keep_it_from_stopping(stage: Stage) -> None:
+    with running_gateway(stage.folder, stage.fleet()) as gateway:
+        start_turning(stage)
+        for number in (signal.SIGHUP, signal.SIGHUP, signal.SIGTERM, signal.SIGHUP):
+            gateway.process.send_signal(number)
+            time.sleep(0.01)
+        assert gateway.process.wait(60) == 0
+        assert stage.stands()
+
+
+def test_nohup_goes_on(stage: Stage) -> None:
+    before = signal.signal(signal.SIGHUP, signal.SIG_IGN)
+    with running_gateway(stage.folder, stage.fleet()) as gateway:
+        signal.signal(signal.SIGHUP, before)
+        eventually(stage.online)
+        gateway.process.send_signal(signal.SIGHUP)
+        time.sleep(0.5)
+        assert gateway.process.poll() is None
+        assert gateway.end() == 0

@@ -11,8 +11,7 @@ from sbgcgen.spec.lint.bodies import lint_bodies
 from sbgcgen.spec.lint.effects import lint_effects
 from sbgcgen.spec.lint.main import lint_main
 from sbgcgen.spec.lint.protocol import lint
-from sbgcgen.spec.lint.slips import lint_slips
-from sbgcgen.spec.lint.spelling import lint_spelling
+from sbgcgen.spec.lint.slips import lint_slips, lint_spelling
 from sbgcgen.spec.lint.usage import lint_names, lint_unused
 from sbgcgen.spec.load import Spec, load
 from sbgcgen.spec.recovery import recover_shape, recover_syntax

@@ -7,7 +7,7 @@
 #include <sbgc/emulator/uart.hpp>
 #include <sbgc/io/pseudo_terminal.hpp>
 
-#include "sockets.hpp"
+#include "scripted_board.hpp"
 #include "testing.hpp"
 
 namespace sbgc::test {

@@ -28,9 +28,8 @@
 
 #include "hosts/endpoint.hpp"
 #include "hosts/host.hpp"
-#include "line_kind.hpp"
+#include "line.hpp"
 #include "serving/live_board.hpp"
-#include "tap.hpp"
 
 namespace sbgc::test {
 

@@ -1,12 +1,36 @@
 // Tests the examples as a user runs them: over a serial port, here a pseudo-terminal.
 
+#include <array>
+#include <cstdio>
+#include <string>
+
+#include <sys/wait.h>
+
 #include <sbgc/io/pseudo_terminal.hpp>
 
-#include "run_program.hpp"
+#include "task_test.hpp"
 #include "testing.hpp"
 
 namespace sbgc::test {
 namespace {
+
+struct ProgramResult {
+  int status{};
+  std::string output{};  ///< of both streams
+};
+
+/// Runs a shell command to its end.
+ProgramResult run_program(const std::string& command) {
+  ProgramResult result;
+  std::FILE* const pipe = ::popen((command + " 2>&1").c_str(), "r");
+  std::array<char, 4096> block{};
+  for (std::size_t size = 1; size > 0;) {
+    size = std::fread(block.data(), 1, block.size(), pipe);
+    result.output.append(block.data(), size);
+  }
+  result.status = WEXITSTATUS(::pclose(pipe));
+  return result;
+}
 
 /// A gimbal that moves to its target immediately.
 class Examples : public ::testing::Test {
@@ -125,6 +149,57 @@ TEST_F(Examples, TellWhatIsWrong) {
         run_program("echo yes | " + std::string(program) + " /dev/no-such-port");
     EXPECT_EQ(result.status, 1);
     EXPECT_THAT(result.output, HasSubstr("/dev/no-such-port"));
+  }
+}
+
+class BackupExample : public TaskTest {
+ protected:
+  std::string file(const char* name) const { return (folder_.path() / name).string(); }
+
+  ProgramResult backup(const std::string& arguments) const {
+    return run_program(std::string(SBGC_EXAMPLE_BACKUP) + " " + port_ + " " + arguments);
+  }
+
+ private:
+  std::string port_ = board.serve_terminal();
+  TemporaryFolder folder_;
+};
+
+TEST_F(BackupExample, SavesComparesAndRestores) {
+  const auto original = board.all_settings<msg::ReadParams3>();
+  ProgramResult run = backup("save " + file("a.json"));
+  ASSERT_EQ(run.status, 0) << run.output;
+  EXPECT_THAT(run.output,
+              HasSubstr("saved the parameters of 18 messages of a board 3.0 with firmware 2.59"));
+  EXPECT_NE(backup("save " + file("a.json")).status, 0) << "it would overwrite the first one";
+
+  board.edit<msg::ReadParams3>(2, [](msg::ReadParams3& params) { params.gyro_trust = 1; });
+  run = backup("diff " + file("a.json"));
+  ASSERT_EQ(run.status, 0) << run.output;
+  EXPECT_THAT(run.output, HasSubstr("ReadParams3 of profile 3:\n  gyro_trust: "));
+
+  run = backup("restore " + file("a.json") + " " + file("before.json") + " --yes");
+  ASSERT_EQ(run.status, 0) << run.output;
+  EXPECT_THAT(run.output, HasSubstr("ReadParams3 of profile 3: written"));
+  EXPECT_TRUE(std::filesystem::exists(file("before.json")));
+  EXPECT_EQ(board.all_settings<msg::ReadParams3>(), original);
+
+  run = backup("diff " + file("a.json"));
+  EXPECT_THAT(run.output, HasSubstr("no differences"));
+}
+
+TEST_F(BackupExample, RestoresNothingUnlessThatIsAgreed) {
+  ASSERT_EQ(backup("save " + file("a.json")).status, 0);
+  board.edit<msg::ReadParams3>(2, [](msg::ReadParams3& params) { params.gyro_trust = 1; });
+  const auto edited = board.all_settings<msg::ReadParams3>();
+  std::ofstream(file("no")) << "no\n";
+  for (const std::string& input : {file("no"), std::string("/dev/null")}) {
+    const ProgramResult run =
+        backup("restore " + file("a.json") + " " + file("before.json") + " <" + input);
+    EXPECT_EQ(run.status, 1) << run.output;
+    EXPECT_THAT(run.output, HasSubstr("Type yes"));
+    EXPECT_FALSE(std::filesystem::exists(file("before.json")));
+    EXPECT_EQ(board.all_settings<msg::ReadParams3>(), edited);
   }
 }
 

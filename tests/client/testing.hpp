@@ -6,6 +6,7 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -16,6 +17,7 @@
 #include <mutex>
 #include <optional>
 #include <random>
+#include <set>
 #include <span>
 #include <sstream>
 #include <stdexcept>
@@ -28,15 +30,108 @@
 #include <gtest/gtest.h>
 
 #include <sbgc/client/client.hpp>
+#include <sbgc/client/clock.hpp>
 #include <sbgc/messages.hpp>
 
-#include "collector.hpp"
 #include "emulated_board.hpp"
-#include "manual_clock.hpp"
 #include "scripted_board.hpp"
 #include "temporary_folder.hpp"
 
 namespace sbgc::test {
+
+/// A clock that advances only on request.
+///
+/// A sleeping thread advances the time; a waiting thread wakes up when another one advances it.
+class ManualClock final : public Clock {
+ public:
+  TimePoint now() override {
+    const std::scoped_lock lock(mutex_);
+    return now_;
+  }
+  void sleep_until(TimePoint until) override { move_to(until); }
+  void wait_until(std::unique_lock<std::mutex>& lock, std::condition_variable& changed,
+                  TimePoint until) override {
+    Waiter waiter{lock.mutex(), &changed};
+    {
+      const std::scoped_lock own(mutex_);
+      if (now_ >= until) return;
+      waiters_.insert(waiter);
+    }
+    // advance() locks the mutex of a waiter before it notifies, so no notification is missed.
+    changed.wait(lock);
+    const std::scoped_lock own(mutex_);
+    waiters_.erase(waiters_.find(waiter));
+  }
+
+  /// Calls `follow` with each advance before the new time is visible. Must be called before threads
+  /// start.
+  void on_move(std::function<void(std::chrono::milliseconds)> follow) {
+    follow_ = std::move(follow);
+  }
+  void advance(std::chrono::milliseconds duration) { move_to(now() + duration); }
+
+ private:
+  using Waiter = std::pair<std::mutex*, std::condition_variable*>;
+
+  void move_to(TimePoint time) {
+    std::multiset<Waiter> waiters;
+    const TimePoint before = now();
+    if (follow_ && time > before) {
+      follow_(std::chrono::ceil<std::chrono::milliseconds>(time - before));
+    }
+    {
+      const std::scoped_lock lock(mutex_);
+      now_ = std::max(now_, time);
+      waiters = waiters_;
+    }
+    for (const auto& [mutex, changed] : waiters) {
+      const std::scoped_lock lock(*mutex);
+      changed->notify_all();
+    }
+  }
+
+  std::function<void(std::chrono::milliseconds)> follow_{};
+  std::mutex mutex_;
+  TimePoint now_{std::chrono::hours(1)};
+  std::multiset<Waiter> waiters_;
+};
+
+/// Collects the arguments of handler calls, from any thread.
+template <class T>
+class Collector {
+ public:
+  void add(const T& item) {
+    const std::lock_guard lock(mutex_);
+    items_.push_back(item);
+    added_.notify_all();
+  }
+
+  /// Waits until there are `count` items and returns them; returns fewer only after a failure.
+  std::vector<T> wait_for(std::size_t count) {
+    std::unique_lock lock(mutex_);
+    EXPECT_TRUE(
+        added_.wait_for(lock, std::chrono::seconds(60), [&] { return items_.size() >= count; }))
+        << items_.size() << " of " << count << " items";
+    return items_;
+  }
+
+  void clear() {
+    const std::lock_guard lock(mutex_);
+    items_.clear();
+  }
+
+  /// Waits until `done(items)` is true.
+  template <class Done>
+  bool wait_until(Done done) {
+    std::unique_lock lock(mutex_);
+    return added_.wait_for(lock, std::chrono::seconds(60), [&] { return done(items_); });
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable added_;
+  std::vector<T> items_;
+};
 
 using ::testing::AllOf;
 using ::testing::AnyOf;

@@ -1,5 +1,6 @@
-"""Checks of every page: links, anchors, search, versions, and no external resources. axe-core in tests/site judges
-structure and names."""
+"""Checks of every page: links, anchors, search, versions, and no external resources. axe-core in tests/site
+judges structure and names. The pages of random specs support all of the spec language, of which one protocol
+uses a part."""
 
 from __future__ import annotations
 
@@ -8,11 +9,17 @@ from dataclasses import replace
 from pathlib import Path
 from urllib.parse import urljoin
 
+import pytest
+
+from facts import all_facts, missing
+from html_pages import HtmlPages
+from pages import Page, read, search_index
+from sbgcgen.build import load_protocol
 from sbgcgen.model import Layout
+from sbgcgen.targets import target
 from sbgcgen.targets.site.uses import page_of_message, page_of_type
 from sbgcgen.views.words import versions
-
-from pages import Page, search_index
+from spec_maker import write_spec
 
 Pages = dict[str, Page]
 Files = dict[str, bytes]
@@ -319,3 +326,23 @@ def test_no_words_of_templates_are_left(files: Files) -> None:
             words = r"\{\{|\{%|%\}|Fraction\(|Undefined|object at 0x"
             words += "" if path.startswith("guides/") else "|>None<"
             assert not re.search(words, text), path
+
+
+@pytest.mark.parametrize("seed", range(1, 5))
+def test_random_spec(seed: int, tmp_path: Path) -> None:
+    write_spec(tmp_path / "spec", seed, 8)
+    layout = load_protocol(tmp_path / "spec", allow_slips=True).layout
+    files = dict(target("site").files(layout, tmp_path))
+    texts = {path: data.decode() for path, data in files.items() if path.endswith(".html")}
+    pages = {path: read(path, text) for path, text in texts.items()}
+    test_there_is_a_page_for_everything(pages, layout)
+    test_ids_are_unique(pages)
+    test_every_link_and_anchor_is_there(pages, files)
+    test_references_to_ids_are_there(pages)
+    test_every_leaf_has_a_deep_link(pages, layout)
+    test_search_finds_everything_and_leads_to_it(pages, files, layout)
+    # The site names the elements of a list together.
+    facts = [f for f in all_facts(layout) if f.kind != "field spec name" or "[" not in f.place.hook]
+    assert len(facts) > 500
+    absent = missing(facts, HtmlPages(texts, {c.name: c.family for c in layout.commands}))
+    assert not absent, absent[:20]

@@ -1,8 +1,9 @@
-"""Small specs for tests: the minimal spec with one file replaced."""
+"""Small specs for tests: the minimal spec with one file replaced; a git repository."""
 
 from __future__ import annotations
 
 import shutil
+import subprocess
 from functools import cache
 from pathlib import Path
 
@@ -83,3 +84,27 @@ def message_of(layout: Layout, name: str, direction: str | None = None) -> Messa
     found = [m for m in layout.messages if m.name == name and direction in (None, m.direction)]
     assert len(found) == 1, f"{len(found)} messages are called {name}"
     return found[0]
+
+
+# A git repository
+
+
+def git(folder: Path, *arguments: str) -> None:
+    """Runs a git command with a fixed user."""
+    user = ["-c", "user.name=Test", "-c", "user.email=test@example.org"]
+    command = ["git", *user, "-C", str(folder), *arguments]
+    subprocess.run(command, check=True, capture_output=True)
+
+
+def start_repository(folder: Path) -> Path:
+    """Creates an empty repository."""
+    folder.mkdir(parents=True)
+    git(folder, "init", "--quiet")
+    return folder
+
+
+def commit(folder: Path, tag: str) -> None:
+    """Commits all files and tags the revision `tag`."""
+    git(folder, "add", ".")
+    git(folder, "commit", "--quiet", "-m", tag)
+    git(folder, "tag", tag)

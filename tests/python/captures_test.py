@@ -8,6 +8,7 @@ import re
 import struct
 import subprocess
 import sys
+import zlib
 from datetime import datetime, timezone
 from pathlib import Path
 from typing import Any
@@ -16,9 +17,33 @@ import numpy
 import pytest
 
 import sbgc
-from capture_files import FROM_BOARD, NOTE, TO_BOARD, frame, record, session, write
 from sbgc import DecodeError, Direction, Message, _core, msg, read_capture, tables
 from vectors_test import vectors
+
+FROM_BOARD, TO_BOARD, NOTE = 1, 2, 3
+
+
+def _summed(data: bytes) -> bytes:
+    return data + struct.pack("<I", zlib.crc32(data))
+
+
+def session(start: int = 0) -> bytes:
+    return _summed(b"\x89SBGC\r\n\x1a" + struct.pack("<HHQ", 1, 0, start))
+
+
+def record(kind: int, time: int, data: bytes) -> bytes:
+    return _summed(struct.pack("<BBHQ", 0xA5, kind, len(data), time) + data)
+
+
+def frame(id: int, body: bytes) -> bytes:
+    head = bytes([id, len(body), (id + len(body)) % 256])
+    return b">" + head + body + bytes([sum(body) % 256])
+
+
+def write(path: Path, *parts: bytes) -> Path:
+    path.write_bytes(b"".join(parts))
+    return path
+
 
 ANGLES = 73  # CMD_GET_ANGLES
 # The body of CMD_GET_ANGLES has three numbers for each axis.

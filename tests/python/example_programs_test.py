@@ -1,17 +1,19 @@
-"""The programs of examples/python run."""
+"""The programs of examples/python and of docs/15-python.md run."""
 
 from __future__ import annotations
 
 import asyncio
 import builtins
+import re
+import subprocess
 import sys
 from pathlib import Path
 
-import nbformat
 import pytest
-from nbclient.client import NotebookClient
 
+import nbformat
 import sbgc
+from nbclient.client import NotebookClient
 from sbgc import Board, msg
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples" / "python"
@@ -57,3 +59,22 @@ def test_the_notebook_compares_two_boards() -> None:
         output.get("text", "") for cell in notebook.cells for output in cell.get("outputs", [])
     )
     assert "axes.pitch.p" in printed and "axes.roll.p" not in printed
+
+
+GUIDE = Path(__file__).resolve().parents[2] / "docs" / "15-python.md"
+PROGRAMS = re.findall(r"^```python\n(.*?)^```$", GUIDE.read_text(), re.DOTALL | re.MULTILINE)
+OUTPUT = ["20", "", "True 1", "", "int16", "604 20", "axes.pitch.angle: 800 deg does not fit"]
+
+
+def test_there_are_programs() -> None:
+    assert len(PROGRAMS) == len(OUTPUT)
+
+
+@pytest.mark.parametrize("number", range(len(PROGRAMS)))
+def test_programs_run(number: int, tmp_path: Path) -> None:
+    command = [sys.executable, "-W", "error", "-c", PROGRAMS[number]]
+    done = subprocess.run(
+        command, capture_output=True, text=True, timeout=60, check=False, cwd=tmp_path
+    )
+    assert done.returncode == 0 and not done.stderr, done.stderr
+    assert OUTPUT[number] in done.stdout

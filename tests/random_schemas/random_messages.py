@@ -1,7 +1,12 @@
-"""Random messages of a protocol, as lines of a vector file (see sbgcgen/oracle/vector_line.py).
+"""Random messages of a protocol, as lines of a vector file (see sbgcgen/oracle/vector_line.py), and random settings.
 
 Some bodies are valid, some have bytes changed, removed or added, some are noise. Some fields are modified
 as a program may set them.
+
+A line of settings has the results expected of the generated code: the message that holds the settings
+("settings"), the number of copies ("copies"), the messages that read and store them, the fields of two such
+messages ("from", "to"), the copy number in the second ("copy", null if there is only one), and its fields and
+body after the general settings of the first have been copied to it ("shared", "hex").
 """
 
 from __future__ import annotations
@@ -12,14 +17,24 @@ import random
 from collections.abc import Iterator
 from typing import Any, Optional
 
-from sbgcgen.model import Announced, Blob, Enum, Field, Layout, Message, Struct
+from sbgcgen.model import (
+    Announced,
+    Blob,
+    Enum,
+    Field,
+    Layout,
+    Message,
+    Settings,
+    Struct,
+    copy_field,
+)
 from sbgcgen.oracle.codec import LISTS, CodecError, Fields, is_bytes, scalar_of
 from sbgcgen.oracle.compose import Choice, Places, compose, full_context, variable_parts
 from sbgcgen.oracle.decoding import decode
 from sbgcgen.oracle.encoding import encode
 from sbgcgen.oracle.frames import choose_message, forms_of
 from sbgcgen.oracle.vector_line import line
-from sbgcgen.oracle.json_values import integer_of
+from sbgcgen.oracle.json_values import integer_of, plain
 from sbgcgen.oracle.vectors import Vector
 from sbgcgen.oracle.room import has_room
 from spec_parts import MAX_BODY
@@ -248,3 +263,39 @@ class _Mutator:
             )
         )
         return integer_of(number, scalar.size)
+
+
+def settings_lines_of(layout: Layout, seed: int, count: int) -> Iterator[str]:
+    """Yields `count` lines for each kind of settings."""
+    chosen = random.Random(seed)
+    for settings in layout.settings:
+        maker = RandomMessages(settings.message, chosen)
+        for _ in range(count):
+            yield json.dumps(
+                plain(_settings_line(settings, _valid_fields(maker), _valid_fields(maker)))
+            ) + "\n"
+
+
+def _valid_fields(maker: RandomMessages) -> Fields:
+    """Returns the fields of a random valid body."""
+    while True:
+        vector = maker.vector()
+        if vector is not None and vector.body is not None and vector.fields is not None:
+            return vector.fields
+
+
+def _settings_line(settings: Settings, source: Fields, target: Fields) -> dict[str, Any]:
+    message, number = settings.message, copy_field(settings.message)
+    general = {f.name: source[f.name] for f in message.fields if f.role == "general"}
+    shared = {**target, **general}
+    return {
+        "settings": message.name,
+        "copies": settings.copies,
+        "readers": [m.name for m in settings.readers],
+        "writers": [m.name for m in settings.writers],
+        "from": source,
+        "to": target,
+        "copy": target[number.name] if number else None,
+        "shared": shared,
+        "hex": encode(message, shared).hex(),
+    }

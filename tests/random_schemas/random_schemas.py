@@ -3,7 +3,7 @@
 For each seed, a random spec (spec_maker.py) is generated, and the program of tests/core/codec_vectors_test.cpp
 is compiled with the generated headers. Its input is vectors of random messages from the reference codec
 (random_messages.py), with which the C++ codec must agree byte by byte, including the bodies it rejects, and
-random settings (random_settings.py) for settings_test.cpp.
+random settings for headers_test.cpp.
 
 The folder of a failure is kept; `--seed N` reproduces it.
 """
@@ -22,7 +22,6 @@ import traceback
 from pathlib import Path
 
 import random_messages
-import random_settings
 from spec_maker import write_spec
 
 from sbgcgen.build import load_protocol
@@ -35,9 +34,7 @@ SOURCES = [
     *(ROOT / "runtime/any/src").glob("*.cpp"),
     ROOT / "tests/core/messages.cpp",
     ROOT / "tests/core/codec_vectors_test.cpp",
-    ROOT / "tests/random_schemas/conversation.cpp",
-    ROOT / "tests/random_schemas/frames_test.cpp",
-    ROOT / "tests/random_schemas/settings_test.cpp",
+    ROOT / "tests/random_schemas/headers_test.cpp",
 ]
 WARNINGS = """-Wall -Wextra -Wpedantic -Wcast-align -Wcast-qual -Wconversion -Wdouble-promotion
     -Wextra-semi -Wformat=2 -Wimplicit-fallthrough -Wold-style-cast -Wshadow -Wsign-conversion -Wundef
@@ -77,7 +74,9 @@ class Trial:
             layout = load_protocol(self.spec, allow_slips=True).layout
             Output(self.folder / "generated", outputs(layout, self.folder)).write()
             lines = list(random_messages.lines_of(layout, self.seed, self.options.messages))
-            settings = list(random_settings.lines_of(layout, self.seed, self.options.messages))
+            settings = list(
+                random_messages.settings_lines_of(layout, self.seed, self.options.messages)
+            )
         except SpecError as error:
             raise Failure(f"the spec has findings:\n{error}") from error
         except Exception as error:

@@ -5,8 +5,8 @@ from __future__ import annotations
 import subprocess
 from pathlib import Path
 
-from recipes_test import fixture_folder as fixture_folder
-from recipes_test import recipe
+from guide_test import fixture_folder as fixture_folder
+from guide_test import recipe
 
 
 def run(folder: Path, *command: str) -> str:

@@ -1,4 +1,5 @@
-"""Tests of the sbgc command: wrong usage, unreadable input and unwritable output."""
+"""Tests of the sbgc command: wrong usage, texts that come from an editor of Windows or are none, unreadable
+input and unwritable output. Commands refuse before they ask what cannot succeed, and ask for what they name."""
 
 from __future__ import annotations
 
@@ -9,12 +10,12 @@ import re
 import struct
 import subprocess
 import termios
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
 
-from board_command import Terminal
+from board_command import Terminal, answer_on_terminal
 from emulated_gimbal import EmulatedGimbal, emulated_gimbal
 from sbgc_command import MODEL, PROGRAM, ROOT, Result, frame, run
 
@@ -246,3 +247,78 @@ def test_output_of_a_gimbal_that_cannot_be_written(gimbal: EmulatedGimbal, comma
     with open("/dev/full", "wb") as full:
         result = run(*command.split(), "-p", gimbal.address, stdout=full.fileno())
     assert_one_complaint(result)
+
+
+@pytest.fixture(name="new_gimbal", scope="module")
+def one_new_gimbal() -> Iterator[EmulatedGimbal]:
+    with emulated_gimbal("--firmware", "2.72", "--board", "3.6") as new_gimbal:
+        yield new_gimbal
+
+
+@pytest.mark.parametrize("answer", ["y", "Y", "yes", "YES", "Yes"])
+def test_yes_in_any_case(new_gimbal: EmulatedGimbal, answer: str) -> None:
+    assert answer_on_terminal(answer, "motors", "OFF", "-p", new_gimbal.address).status == 0
+
+
+def about_profiles() -> list[str]:
+    return [
+        message["name"]
+        for message in MODEL["messages"]
+        if message["direction"] == "to_board"
+        and "stores" in message["effect"]["does"]
+        and any(field["path"] == "profile_id" for field in message["layout"])
+    ]
+
+
+@pytest.mark.parametrize("message", about_profiles())
+def test_a_profile_is_named_as_people_count(new_gimbal: EmulatedGimbal, message: str) -> None:
+    def asked(*values: str) -> str:
+        command = ("send", message, *values, "--no-validate", "-p", new_gimbal.address)
+        return " ".join(run(*command).error.split())
+
+    assert "with profile_id = 1 (profile 2)" in asked("profile_id=1")
+    assert asked("profile_id=1").count("profile_id") == 1
+    assert "with profile_id = 4 (profile 5)" in asked("PROFILE_ID=raw:4")
+    assert "(profile 1)" in asked() or "(profile 5)" in asked(), "a default is named, too"
+
+
+FLEET = '[fleet]\nname = "studio"\n[metrics]\n[gimbal.front]\nport = "tcp:127.0.0.1:1"\n'
+MOTION = "time,roll,pitch,yaw\n0,0,0,0\n1,10,0,0\n"
+READERS: dict[str, tuple[str, Callable[[str], Result]]] = {
+    "configuration": ("[gimbal.a]\nport = 'capture:/none'\n", lambda _: run("info", "-g", "a")),
+    "fleet": (FLEET, lambda file: run("gateway", "--config", file, "--check")),
+    "motion": (MOTION, lambda file: run("emulate", "--stdio", "--for", "10ms", "--motion", file)),
+    "table": ("t,a\n0,0\n1,1\n", lambda file: run("plot", file)),
+    "json": ('{"message":"GetAnglesRequest","fields":{}}\n', lambda file: run("encode", file)),
+}
+
+
+@pytest.mark.parametrize("kind", READERS)
+def test_ends_of_lines_and_byte_order_marks(
+    kind: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    text, read = READERS[kind]
+    file = tmp_path / "file"
+    monkeypatch.setenv("SBGC_CONFIG", str(file))
+    content = text.encode()
+    file.write_bytes(content)
+    plain = read(str(file))
+    assert "file:" not in plain.error, "the text itself is right"
+    for other in (b"\xef\xbb\xbf" + content, content.replace(b"\n", b"\r\n")):
+        file.write_bytes(other)
+        assert read(str(file)) == plain
+    for damaged in (content[:-3] + b"\0" + content[-3:], text.encode("utf-16")):
+        file.write_bytes(damaged)
+        refused = read(str(file))
+        assert refused.status in (1, 2) and refused.error and not refused.out
+
+
+def test_lines_of_the_shell() -> None:
+    script = b"describe MODE_ANGLE\ndescribe pid\n"
+    with emulated_gimbal() as gimbal:
+        plain = run("shell", "-p", gimbal.address, stdin=script)
+        assert plain.status == 0
+        other = b"\xef\xbb\xbf" + script.replace(b"\n", b"\r\n")
+        assert run("shell", "-p", gimbal.address, stdin=other).out == plain.out
+        refused = run("shell", "-p", gimbal.address, stdin=b"describe pid\ndescribe\0 pid\n")
+    assert refused.status == 1 and "line 2 has a NUL byte" in refused.error

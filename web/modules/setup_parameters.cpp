@@ -122,7 +122,7 @@ ParameterSet without_line(const ParameterSet& wanted, const ParameterSet& presen
   return result;
 }
 
-/// Reads the lines that src/vendor_file.ts makes of a file: <NAME, =TEXT and >.
+/// Reads the lines that src/page/setup/parameters.tsx makes of a file: <NAME, =TEXT and >.
 Result<tools::VendorFile> read_elements(std::string_view lines) {
   tools::VendorElements elements;
   while (!lines.empty() && !elements.has_failed()) {

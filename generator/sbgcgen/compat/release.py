@@ -1,18 +1,112 @@
-"""The `compat` command without a revision, and `record`: the model and the last release."""
+"""The model and the last release: the version that changes require (semantic versioning, see CONTRIBUTING.md),
+the recorded model, the `compat` command without a revision, and `record`."""
 
 from __future__ import annotations
 
+import enum
+import json
+import lzma
 import sys
+from collections.abc import Iterable
+from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple, Optional
 
 from sbgcgen import library
+from sbgcgen.compat.changes import Change, Level
 from sbgcgen.compat.compare import compare
-from sbgcgen.compat.released import NAME, Release, fingerprint_of, read, write
+from sbgcgen.compat.dump import dump
+from sbgcgen.compat.reading import restore
 from sbgcgen.compat.report import print_changes
 from sbgcgen.compat.revision import Version as Source
-from sbgcgen.compat.semver import lowest_version, parse, step_of
 from sbgcgen.model import Layout
+from sbgcgen.model.export import export
 from sbgcgen.targets import targets
+
+
+class Version(NamedTuple):
+    """A version of three numbers, which compare in this order."""
+
+    major: int
+    minor: int
+    patch: int
+
+    def __str__(self) -> str:
+        return ".".join(map(str, self))
+
+
+def parse(text: str) -> Version:
+    """The version written as 1.2.3. Raises ValueError for other texts."""
+    major, minor, patch = map(int, text.split("."))
+    return Version(major, minor, patch)
+
+
+class Step(enum.Enum):
+    """The consequences of changes since a release for its users, the worst first."""
+
+    BREAK = "break"
+    ADDITION = "extend"
+    PROSE = "do not affect"
+
+
+# The number of the version that a step increases, before version 1.0.0 and from then on.
+_INCREASES: dict[Step, tuple[Optional[str], Optional[str]]] = {
+    Step.BREAK: ("minor", "major"),
+    Step.ADDITION: ("patch", "minor"),
+    Step.PROSE: (None, None),
+}
+
+
+def step_of(changes: Iterable[Change], same_fingerprint: bool) -> Step:
+    """The step that changes of the model make; those that keep its fingerprint change prose only."""
+    if any(change.level is not Level.COMPATIBLE for change in changes):
+        return Step.BREAK
+    return Step.PROSE if same_fingerprint else Step.ADDITION
+
+
+def lowest_version(released: Version, step: Step) -> Version:
+    """The lowest version that may follow a release with these changes."""
+    part = _INCREASES[step][released.major > 0]
+    if part is None:
+        return released
+    kept = Version._fields.index(part)
+    numbers = [*released[:kept], released[kept] + 1, 0, 0]
+    return Version(*numbers[:3])
+
+
+# In the form of dump.py, because the YAML of a release may be in an earlier language, and a source archive has
+# no revisions.
+NAME = "released.json.xz"
+
+
+@dataclass(frozen=True)
+class Release:
+    """A release: its version, and the model with the fingerprint that it had at that time."""
+
+    version: Version
+    fingerprint: str
+    layout: Layout
+
+
+def fingerprint_of(layout: Layout) -> str:
+    """The fingerprint of a model."""
+    return str(export(layout)["fingerprint"])
+
+
+def write(release: Release, path: Path) -> None:
+    """Write a release to a file."""
+    content = {
+        "version": str(release.version),
+        "fingerprint": release.fingerprint,
+        "objects": dump(release.layout),
+    }
+    path.write_bytes(lzma.compress(json.dumps(content, separators=(",", ":")).encode()))
+
+
+def read(path: Path) -> Release:
+    """Read a release from a file."""
+    content = json.loads(lzma.decompress(path.read_bytes()))
+    return Release(parse(content["version"]), content["fingerprint"], restore(content["objects"]))
 
 
 def check(layout: Layout, project: Path, spec_dir: Path) -> int:

@@ -5,10 +5,11 @@ It holds every size, offset, name and reference. Targets print them and never co
 
 from sbgcgen.model.position import NOWHERE, Position
 from sbgcgen.model.values import (
+    SCALARS,
     Alias,
     Availability,
-    Deprecation,
     AxisDirection,
+    Deprecation,
     Enum,
     EnumValue,
     Feature,
@@ -17,7 +18,6 @@ from sbgcgen.model.values import (
     Packed,
     Part,
     Quantity,
-    SCALARS,
     Scalar,
     Until,
     Versions,
@@ -73,5 +73,4 @@ from sbgcgen.model.messages import (
 )
 from sbgcgen.model.variables import Variable, VariableSetting
 from sbgcgen.model.framing import BODY, CHECKSUM_SIZES, ID, SIZE, START, Checksum, Crc, Framing
-from sbgcgen.model.protocol import Erratum, Layout, Line, Topic
-from sbgcgen.model.revisions import Addition, Revision
+from sbgcgen.model.protocol import Addition, Erratum, Layout, Line, Revision, Topic

@@ -7,16 +7,51 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
-from sbgcgen.model.position import NOWHERE, Position
 from sbgcgen.model.bodies import Field
 from sbgcgen.model.effects import USUAL_EFFECTS, EffectKind
-from sbgcgen.model.values import Feature, Identifier
 from sbgcgen.model.framing import Framing
 from sbgcgen.model.messages import Command, Family, Message, Settings
-from sbgcgen.model.revisions import Revision
-from sbgcgen.model.values import AxisDirection, Enum, Packed, Quantity, Versions
-from sbgcgen.model.variables import Variable
 from sbgcgen.model.names import KNOWN_FORMS
+from sbgcgen.model.position import NOWHERE, Position
+from sbgcgen.model.values import (
+    AxisDirection,
+    Enum,
+    Feature,
+    Identifier,
+    Packed,
+    Quantity,
+    Versions,
+)
+from sbgcgen.model.variables import Variable
+
+
+@dataclass(frozen=True)
+class Addition:
+    """An addition of a revision.
+
+    `kind` is "command", "message", "field" or "value"; `owner` is the message of a field or the
+    enum of a value, and `name` is the command, message, path or value.
+    """
+
+    kind: str
+    owner: str
+    name: str
+
+    @property
+    def text(self) -> str:
+        return f"{self.owner}.{self.name}" if self.owner else self.name
+
+
+@dataclass(frozen=True)
+class Revision:
+    """A revision of the specification; `changes` are sentences about changes without a name."""
+
+    number: str
+    date: str
+    source: str
+    adds: tuple[Addition, ...]
+    changes: tuple[str, ...]
+    at: Position = field(default=NOWHERE, compare=False, repr=False)
 
 
 @dataclass(frozen=True)

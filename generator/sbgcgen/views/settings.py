@@ -6,7 +6,7 @@ import shlex
 
 from sbgcgen.model import Announced, Blob, Enum, Packed, Quantity, Scalar, Type
 from sbgcgen.oracle.example import Example, Piece, physical
-from sbgcgen.views.values import decimal, flags_of, parts_that_make, value_named
+from sbgcgen.views.code import decimal, flags_of, parts_that_make, value_named
 
 
 def send_command(example: Example) -> str:

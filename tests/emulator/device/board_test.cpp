@@ -1,11 +1,12 @@
-// Tests of the complete board: its behavior depends only on the bytes and their times.
+// Tests of the complete board: its behavior depends only on the bytes and their times. Restarts:
+// their duration, what is lost, and the statistics of the board's whole life, which are kept.
 
 #include <algorithm>
 #include <cstdint>
 #include <vector>
 
 #include "host.hpp"
-#include "random_requests.hpp"
+#include "random_input.hpp"
 
 namespace sbgc::test {
 namespace {
@@ -186,6 +187,94 @@ TEST(Board, ExecutesNothingBeforeItsPassword) {
   host.ask(msg::MotorsOff{});
   EXPECT_TRUE(host.board.gimbal().motors_on());
   EXPECT_EQ(reactions, std::vector{emulator::Reaction::locked});
+}
+
+bool answers(Host& host) { return host.ask(msg::BoardInfoRequest{}, milliseconds(2)).size() == 1; }
+
+/// Returns how long the board does not respond from now on.
+Duration silence(Host& host) {
+  const Instant begin = host.now;
+  while (!answers(host) && host.now - begin < seconds(60)) {
+  }
+  return host.now - begin;
+}
+
+TEST(Restart, ABoardThatStartsIsSilent) {
+  emulator::BoardOptions options;
+  options.start_time = milliseconds(300);
+  emulator::Board board(options, {}, {});
+  EXPECT_EQ(board.next(), Instant{} + options.start_time);
+  Host host(options);
+  host.ask(msg::ResetRequest{}, milliseconds(1));
+  const Duration length = silence(host);
+  EXPECT_GT(length, milliseconds(298));
+  EXPECT_LT(length, milliseconds(304));
+  EXPECT_EQ(host.board.counters().restarts, 1U);
+}
+
+TEST(Restart, TheBootloaderGivesUp) {
+  emulator::BoardOptions options;
+  options.bootloader_time = seconds(3);
+  Host host(options);
+  const msg::BootMode3Ext request{.confirm = msg::ResetOption::notify};
+  EXPECT_THAT(all<msg::Reset>(host.ask(request, milliseconds(5))), SizeIs(1));
+  EXPECT_GT(silence(host), seconds(3) + options.start_time - milliseconds(10));
+  EXPECT_TRUE(answers(host));
+}
+
+TEST(Restart, PowerOffLosesWhatWaitsToBeSent) {
+  Host host;
+  host.send(msg::BoardInfoRequest{});
+  host.board.advance(host.now + milliseconds(10));
+  host.board.restart(host.now + milliseconds(10));
+  EXPECT_TRUE(host.board.output(host.port).empty());
+  EXPECT_FALSE(answers(host));
+}
+
+msg::ReadStateVars statistics(Host& host) {
+  return host.get<msg::ReadStateVars>(msg::ReadStateVarsRequest{});
+}
+
+TEST(StateVariables, CountTimeAndEnergy) {
+  Host host(newest_board());
+  const auto before = statistics(host);
+  const double volts = host.board.gimbal().sample(host.now).battery;
+  const double amperes = host.board.gimbal().sample(host.now).current;
+  host.listen(seconds(3600));
+  const auto after = statistics(host);
+  EXPECT_NEAR((after.work_time.milliseconds() - before.work_time.milliseconds()) / 1000, 3600, 2);
+  EXPECT_NEAR(after.energy.watt_hours() - before.energy.watt_hours(), volts * amperes,
+              0.3 * volts * amperes);
+  EXPECT_NEAR(after.avg_current.milliamperes(), 1000 * amperes, 300 * amperes);
+  EXPECT_GT(after.imu_temp_max.raw(), 0);
+  EXPECT_LE(after.imu_temp_min.raw(), after.imu_temp_max.raw());
+  EXPECT_GE(after.max_current.milliamperes(), after.avg_current.milliamperes());
+}
+
+TEST(StateVariables, SurviveARestartWithTheNumberOfStarts) {
+  Host host(newest_board());
+  host.listen(seconds(600));
+  const auto before = statistics(host);
+  EXPECT_EQ(before.startup_cnt, 1);
+  host.board.restart(host.now);
+  host.listen(seconds(2));
+  const auto after = statistics(host);
+  EXPECT_EQ(after.startup_cnt, 2);
+  EXPECT_GE(after.work_time.milliseconds(), before.work_time.milliseconds() - 61'000);
+  EXPECT_GT(after.work_time.milliseconds(), 500'000);
+  // Another board with the same memory goes on.
+  Host again(newest_board(), host.board.memory());
+  EXPECT_EQ(statistics(again).startup_cnt, 3);
+}
+
+TEST(StateVariables, AreNotStoredIfTheParametersForbidIt) {
+  Host host(newest_board());
+  auto parameters = host.get<msg::ReadParamsExt2>(msg::ReadParamsExt2Request{});
+  parameters.general_flags2.set(msg::GeneralFlags2Bit::save_system_stat, false);
+  host.ask(msg::WriteParamsExt2{parameters});
+  const auto revision = host.board.memory().revision;
+  host.listen(seconds(600));
+  EXPECT_EQ(host.board.memory().revision, revision);
 }
 
 }  // namespace

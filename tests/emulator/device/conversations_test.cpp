@@ -26,7 +26,7 @@
 
 #include "answers.hpp"
 #include "host.hpp"
-#include "random_requests.hpp"
+#include "random_input.hpp"
 
 namespace sbgc::test {
 namespace {

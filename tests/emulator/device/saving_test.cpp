@@ -4,8 +4,7 @@
 #include <vector>
 
 #include "host.hpp"
-#include "random_requests.hpp"
-#include "replies.hpp"
+#include "random_input.hpp"
 
 namespace sbgc::test {
 namespace {

@@ -13,8 +13,8 @@
 #include <sbgc/json_dom.hpp>
 #include <sbgc/meta/all.hpp>
 
-#include "random_requests.hpp"
-#include "replies.hpp"
+#include "host.hpp"
+#include "random_input.hpp"
 
 namespace sbgc::test {
 namespace {

@@ -8,7 +8,7 @@
 
 #include <sbgc/meta/variables.hpp>
 
-#include "random_parameters.hpp"
+#include "random_input.hpp"
 
 namespace sbgc::test {
 namespace {

@@ -13,8 +13,7 @@ from sbgcgen.cli import main
 from sbgcgen.compat.changes import Level
 from sbgcgen.compat.compare import compare
 from sbgcgen.compat.report import describe
-from repository import commit, git, start
-from support import PROJECT, write_spec
+from support import PROJECT, commit, git, start_repository, write_spec
 
 
 def old_spec(folder: Path) -> Path:
@@ -111,7 +110,7 @@ def test_a_spec_that_does_not_load(tmp_path: Path, capsys: pytest.CaptureFixture
 @pytest.fixture
 def repository(tmp_path: Path) -> Path:
     """A repository with two revisions of the spec, and an earlier one without a spec."""
-    root = start(tmp_path / "project")
+    root = start_repository(tmp_path / "project")
     (root / "README").write_text("nothing yet\n", encoding="utf-8")
     commit(root, "v0")
     old_spec(root)
@@ -140,7 +139,7 @@ def test_a_revision_and_the_working_tree(
 
 
 def test_the_project_lies_in_a_folder_of_the_repository(tmp_path: Path) -> None:
-    repository = start(tmp_path / "repository")
+    repository = start_repository(tmp_path / "repository")
     project = repository / "some" / "project"
     project.mkdir(parents=True)
     old_spec(project)

@@ -17,8 +17,7 @@ from sbgcgen.compat.compare import compare
 from sbgcgen.compat.dump import dump
 from sbgcgen.compat.reading import restore
 from sbgcgen.model import AnswerCase, Layout
-from support import GENERATOR, HERE, PROJECT, write_spec
-from repository import commit, git, start
+from support import GENERATOR, HERE, PROJECT, commit, git, start_repository, write_spec
 
 EARLIER = HERE / "compat" / "earlier_model.json"
 
@@ -114,7 +113,7 @@ def test_an_answer_that_was_the_same_in_all_cases() -> None:
 @pytest.fixture(name="project")
 def of_another_language(tmp_path: Path) -> Path:
     """A repository whose revision v1 uses the key `gist` for the present `summary`."""
-    root = start(tmp_path / "project")
+    root = start_repository(tmp_path / "project")
     spec = write_spec(root, OLD)
     for path in spec.glob("*.yaml"):
         text = path.read_text(encoding="utf-8")

@@ -11,8 +11,17 @@ from sbgcgen import library
 from sbgcgen.build import load_layout
 from sbgcgen.cli import main
 from sbgcgen.compat.compare import compare
-from sbgcgen.compat.released import NAME, Release, fingerprint_of, read, write
-from sbgcgen.compat.semver import Step, Version, lowest_version, parse
+from sbgcgen.compat.release import (
+    NAME,
+    Release,
+    Step,
+    Version,
+    fingerprint_of,
+    lowest_version,
+    parse,
+    read,
+    write,
+)
 from support import PROJECT, write_spec
 
 Capture = pytest.CaptureFixture[str]

@@ -13,7 +13,7 @@ from sbgcgen.model.export import export
 from sbgcgen.oracle.example import example_of
 from sbgcgen.oracle.vectors import typical_vector
 from sbgcgen.targets import codes_of
-from sbgcgen.views.history import Revisions
+from sbgcgen.targets.site.view import Revisions
 from support import GENERATOR, PROJECT, layout_of, message_of, write_spec
 
 SETTINGS = """\

@@ -8,7 +8,7 @@ from __future__ import annotations
 import pytest
 
 from sbgcgen.model import Layout
-from sbgcgen.views.history import Revisions
+from sbgcgen.targets.site.view import Revisions
 from support import message_of, project_layout
 
 FROM, TO = "from_board", "to_board"

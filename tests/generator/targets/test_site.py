@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+from sbgcgen.build import load_layout
 from sbgcgen.cli import main
 from sbgcgen.targets import outputs, target
 from support import BASE, GENERATOR, layout_of, write_spec
@@ -110,3 +111,13 @@ def test_same_bytes_whatever_run_hash_seed_and_locale(tmp_path: Path) -> None:
         files = sorted(path for path in folder.rglob("*") if path.is_file())
         made.append({str(path.relative_to(folder)): path.read_bytes() for path in files})
     assert made[0] == made[1]
+
+
+def test_site_of_a_protocol_without_requests_that_have_a_body(tmp_path: Path) -> None:
+    spec = write_spec(tmp_path)
+    base = spec / "base.yaml"
+    text, _, rest = base.read_text("utf-8").partition("\n  CMD_USE:")
+    assert rest
+    base.write_text(text + "\n")
+    files = dict(target("site").files(load_layout(spec), tmp_path))
+    assert b"3E" in files["framing.html"]

@@ -1,4 +1,6 @@
-#include "ask.hpp"
+#include "sbgc.hpp"
+
+sbgc::Outcome ask(sbgc::Session& session);
 
 sbgc::Outcome ask(sbgc::Session& session) {
   auto outcome = sbgc::Outcome::none;

@@ -1,6 +1,9 @@
 #include <cstdio>
 
-#include "ask.hpp"
+#include "sbgc.hpp"
+
+/// Sends a request and feeds the session with its response; returns the outcome. In another file.
+sbgc::Outcome ask(sbgc::Session& session);
 
 int main() {
   static sbgc::Session session;

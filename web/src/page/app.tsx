@@ -11,12 +11,10 @@ import { Horizons } from "./horizon.js";
 import { Choice } from "./inputs.js";
 import { languages, stop, type Action, type Language } from "./lines.js";
 import { Log } from "./log.js";
-import { Numbers } from "./numbers.js";
+import { Numbers, Pace, Status } from "./status.js";
 import { Offline } from "./offline.js";
-import { useOutcome } from "./outcome.js";
+import { type Desk, DeskContext, type Playground, useOutcome } from "./session.js";
 import { GimbalView } from "./scene.js";
-import { DeskContext, type Desk, type Playground } from "./session.js";
-import { Pace, Status } from "./status.js";
 import { Trial } from "./trial.js";
 import { emulationOf, linkOf, readLink, usualValues, type Values } from "./values.js";
 

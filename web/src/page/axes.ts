@@ -1,4 +1,4 @@
-// The three axes, and how the page writes their values.
+// The three axes: how the page writes their values, and directions in space as a camera sees them.
 
 import type { Axes } from "../worker_messages.js";
 
@@ -26,3 +26,22 @@ export function angleWords(axis: AxisName, degrees: number): string {
 /** For the labels of pictures: "roll 0.0°, pitch 30.0° down, yaw 12.0° left". */
 export const anglesWords = (angles: Axes): string =>
   axisNumbers.map((n) => `${axisNames[n]} ${angleWords(axisNames[n], angles[n])}`).join(", ");
+
+/** Right, up, forward. */
+export type Direction = [number, number, number];
+
+export const radians = (degrees: number): number => (degrees * Math.PI) / 180;
+
+/** Returns a function that turns directions of the world into those of the camera. */
+export function seenFrom([roll, pitch, yaw]: Axes): (direction: Direction) => Direction {
+  const [sinRoll, cosRoll] = [Math.sin(radians(roll)), Math.cos(radians(roll))];
+  const [sinPitch, cosPitch] = [Math.sin(radians(pitch)), Math.cos(radians(pitch))];
+  const [sinYaw, cosYaw] = [Math.sin(radians(yaw)), Math.cos(radians(yaw))];
+  return ([right, up, forward]) => {
+    const r1 = right * cosYaw - forward * sinYaw;
+    const f1 = right * sinYaw + forward * cosYaw;
+    const r2 = r1 * cosRoll - up * sinRoll;
+    const u2 = r1 * sinRoll + up * cosRoll;
+    return [r2, u2 * cosPitch + f1 * sinPitch, f1 * cosPitch - u2 * sinPitch];
+  };
+}

@@ -4,8 +4,7 @@
 import { useEffect, useRef } from "preact/hooks";
 
 import type { Axes } from "../worker_messages.js";
-import { radians, seenFrom, type Direction } from "./attitude.js";
-import { anglesWords } from "./axes.js";
+import { anglesWords, type Direction, radians, seenFrom } from "./axes.js";
 import { everySecond, useDesk } from "./session.js";
 import { colorsOf, onThemeChange } from "./theme.js";
 

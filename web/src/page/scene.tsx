@@ -4,8 +4,7 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 
 import type { View } from "../worker_messages.js";
-import type { Direction } from "./attitude.js";
-import { anglesWords } from "./axes.js";
+import { anglesWords, type Direction } from "./axes.js";
 import { everySecond, useDesk } from "./session.js";
 import { onThemeChange } from "./theme.js";
 import type { View3D } from "./view3d.js";

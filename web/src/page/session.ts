@@ -1,7 +1,7 @@
 // The page's side of the worker.
 
 import { createContext } from "preact";
-import { useContext, useEffect, useState } from "preact/hooks";
+import { useContext, useEffect, useRef, useState } from "preact/hooks";
 
 import type { EmulatorOptions } from "../modules.js";
 import type * as setup from "../setup_messages.js";
@@ -158,4 +158,19 @@ export function useView(hertz: number): View | null {
   const [view, setView] = useState(session.view);
   useEffect(() => session.draw(hertz, setView), [session, hertz]);
   return view;
+}
+
+export function useOutcome() {
+  const [outcome, setOutcome] = useState({ text: "", isBad: false });
+  const latest = useRef(0);
+  /** Only the newest action says how it ended: it has taken the camera from those before. */
+  const follow = async (label: string, work: Promise<Done>): Promise<void> => {
+    const number = ++latest.current;
+    setOutcome({ text: `${label} …`, isBad: false });
+    const done = await work;
+    if (number !== latest.current) return;
+    setOutcome({ text: `${label}: ${done.error ?? "done"}`, isBad: Boolean(done.error) });
+  };
+  const clear = (): void => setOutcome({ text: "", isBad: false });
+  return { outcome, follow, clear };
 }

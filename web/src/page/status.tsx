@@ -1,8 +1,9 @@
-// The line at the top: the board, its battery, the errors that it reports, and the button that stops.
+// The state of the gimbal: the line at the top, with the board, its battery, the errors that it
+// reports and the button that stops; and the numbers of its axes.
 
 import type { ComponentChildren } from "preact";
 
-import { fixed } from "./axes.js";
+import { angleWords, axisNames, axisNumbers, fixed } from "./axes.js";
 import { useView } from "./session.js";
 
 const perSecond = 4;
@@ -62,3 +63,43 @@ export const Pace = ({ pace, onPace }: { pace: number; onPace: (pace: number) =>
     </select>
   </label>
 );
+
+const numbersPerSecond = 8;
+
+export function Numbers() {
+  const view = useView(numbersPerSecond);
+  return (
+    <table class="numbers">
+      <caption class="hidden">Angles, speeds and powers of the gimbal</caption>
+      <thead>
+        <tr>
+          <td></td>
+          <th scope="col">Camera</th>
+          <th scope="col">Target</th>
+          <th scope="col">Frame</th>
+          <th scope="col">Joint</th>
+          <th scope="col">Speed</th>
+          <th scope="col">Power</th>
+        </tr>
+      </thead>
+      <tbody>
+        {axisNumbers.map((n) => {
+          const axis = axisNames[n];
+          return (
+            <tr key={axis}>
+              <th scope="row">
+                <i class={`swatch ${axis}`} /> {axis}
+              </th>
+              <td>{view ? angleWords(axis, view.camera[n]) : "–"}</td>
+              <td>{view ? angleWords(axis, view.targets[n]) : "–"}</td>
+              <td>{view ? angleWords(axis, view.frame[n]) : "–"}</td>
+              <td>{view ? `${fixed(view.joints[n])}°` : "–"}</td>
+              <td>{view ? `${fixed(view.speeds[n])}°/s` : "–"}</td>
+              <td>{view ? `${fixed(view.power[n] * 100, 0)} %` : "–"}</td>
+            </tr>
+          );
+        })}
+      </tbody>
+    </table>
+  );
+}

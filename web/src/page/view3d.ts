@@ -7,7 +7,7 @@ import * as THREE from "three";
 import { RoundedBoxGeometry } from "three/addons/geometries/RoundedBoxGeometry.js";
 
 import type { Axes } from "../worker_messages.js";
-import { radians, type Direction } from "./attitude.js";
+import { radians, type Direction } from "./axes.js";
 import { colorsOf } from "./theme.js";
 
 /** In three.js, x is right, y up, and -z forward: all angles of the board turn the other way. */

@@ -30,18 +30,17 @@ from sbgcgen.model.names import FieldName, parse_field_name, snake_case, type_ad
 from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
 from sbgcgen.spec.load import Map, Spec
 from sbgcgen.spec.resolve.axis_directions import DirectionResolver, axis_directions_of
-from sbgcgen.spec.resolve.elements import grown
-from sbgcgen.spec.resolve.examples import ExampleReader
-from sbgcgen.spec.resolve.later import LaterResolver
-from sbgcgen.spec.resolve.limits import LimitResolver
-from sbgcgen.spec.resolve.references import Outside, ReferenceResolver
 from sbgcgen.spec.resolve.sizes import (
+    grown,
     min_size,
     min_size_of,
     offsets_in_union,
     size_of,
     total_size,
 )
+from sbgcgen.spec.resolve.examples import ExampleReader
+from sbgcgen.spec.resolve.limits import LaterResolver, LimitResolver
+from sbgcgen.spec.resolve.references import Outside, ReferenceResolver
 from sbgcgen.spec.resolve.types import TypeResolver, parse_bits
 
 _BLOB = re.compile(r"(bytes|text(?=\[[0-9]))\[([1-9][0-9]{0,5})?\]$")
@@ -122,7 +121,7 @@ class FieldResolver:
         return self.structs[name]
 
     def grown(self, struct: Struct, since: Availability) -> Struct:
-        """The struct of a list's elements with all sizes that they have had; see elements.py."""
+        """The struct of a list's elements with all sizes that they have had; see sizes.py."""
         result = grown(struct, since)
         known = self.structs[struct.name]
         self.structs[struct.name] = known if known == result else result

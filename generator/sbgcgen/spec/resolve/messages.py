@@ -5,26 +5,16 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Any
 
-from sbgcgen.model import (
-    Availability,
-    Command,
-    Context,
-    Field,
-    Message,
-    Position,
-    Struct,
-    Until,
-)
+from sbgcgen.model import Availability, Command, Context, Field, Message, Position, Struct, Until
 from sbgcgen.model.names import camel_case, form_suffix
 from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
 from sbgcgen.spec.load import Map
 from sbgcgen.spec.resolve.answers import AnswerResolver
 from sbgcgen.spec.resolve.contexts import announceable_types, context_of
 from sbgcgen.spec.resolve.effects import EffectResolver
-from sbgcgen.spec.resolve.elements import confused, may_grow
+from sbgcgen.spec.resolve.sizes import confused, max_size, may_grow, min_size, total_size
 from sbgcgen.spec.resolve.fields import FieldResolver
 from sbgcgen.spec.resolve.leaves import leaves
-from sbgcgen.spec.resolve.sizes import max_size, min_size, total_size
 from sbgcgen.spec.resolve.types import TypeResolver
 
 DIRECTIONS = ("from_board", "to_board")

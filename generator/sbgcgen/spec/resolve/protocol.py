@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from fnmatch import fnmatchcase
+from typing import Any
 
 from sbgcgen.model import (
     Command,
@@ -10,23 +12,81 @@ from sbgcgen.model import (
     Erratum,
     Family,
     Layout,
+    Line,
     Message,
     Position,
     Revision,
+    Topic,
 )
 from sbgcgen.model.names import snake_case
-from sbgcgen.spec.diagnostics import Diagnostics
+from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
 from sbgcgen.spec.load import List, Map, Spec
 from sbgcgen.spec.resolve.answers import AnswerResolver
 from sbgcgen.spec.resolve.effects import EffectResolver
 from sbgcgen.spec.resolve.fields import FieldResolver
 from sbgcgen.spec.resolve.framing import framings_of
-from sbgcgen.spec.resolve.line import line_of
 from sbgcgen.spec.resolve.messages import MessageResolver
 from sbgcgen.spec.resolve.revisions import RevisionResolver
-from sbgcgen.spec.resolve.topics import topics_of
 from sbgcgen.spec.resolve.types import TypeResolver
 from sbgcgen.spec.resolve.variables import VariableResolver
+
+
+def line_of(node: Any, types: TypeResolver, found: Diagnostics) -> Line:
+    """Resolve the value of `line:` in the main file; None if it is absent."""
+    if not isinstance(node, Map):
+        return Line((), 0, (), 0, 0, "", ())
+    named: list[int] = []
+    if "baud_rates" in node:
+        enum = types.enum_named(str(node["baud_rates"]), node.at("baud_rates"))
+        named = [value.number for value in enum.values if value.number] if enum else []
+        if enum and not named:
+            text = f"no value of {enum.name} has a 'number'"
+            found.add(node.at("baud_rates"), "SBGC038", text, f"see {enum.at}")
+    for rate in node.get("more_baud_rates", ()):
+        if rate in named:
+            text = f"{rate} is one of {node['baud_rates']}"
+            found.add(node.at("more_baud_rates"), "SBGC038", text, "leave it out")
+    low, _, high = str(node["pause_ms"]).partition("..")
+    if int(low) > int(high):
+        text = "the pause after each command has its limits reversed"
+        found.add(node.at("pause_ms"), "SBGC017", text, f"write {high}..{low}")
+    return Line(
+        baud_rates=(*named, *node.get("more_baud_rates", ())),
+        named=len(named),
+        parities=tuple(str(parity) for parity in node["parities"]),
+        shortest_pause_ms=int(low),
+        longest_pause_ms=int(high),
+        source=str(node["source"]),
+        errata=types.errata(node),
+        at=node.position,
+    )
+
+
+def topics_of(nodes: Map, messages: list[Message], found: Diagnostics) -> Iterator[Topic]:
+    """Resolve the value of `topics:` in the main file; findings go into `found`."""
+    stored = {message.stores for message in messages}
+    parameters = {
+        leaf.field.spec_name: leaf.field
+        for message in messages
+        for leaf in (message.leaves if message.name in stored else ())
+        if not leaf.field.reserved and leaf.field.role in ("", "general")
+    }
+    filed: set[str] = set()
+    for name, node in nodes.items():
+        patterns = node["fields"]
+        for pattern, at in zip(patterns, patterns.items_at):
+            if not any(fnmatchcase(parameter, pattern) for parameter in parameters):
+                hint = did_you_mean(pattern, list(parameters)) or "a * stands for any characters"
+                found.add(at, "SBGC080", f"'{pattern}' is the name of no parameter", hint)
+        fields = [p for p in parameters if any(fnmatchcase(p, pattern) for pattern in patterns)]
+        filed.update(fields)
+        words = tuple(str(word) for word in node.get("words", ()))
+        changes_line = bool(node.get("changes_line"))
+        yield Topic(name, str(node["summary"]), words, tuple(fields), changes_line, nodes.at(name))
+    for parameter, field in parameters.items():
+        if nodes and parameter not in filed:
+            hint = "add its name to one of the 'topics' in the main file"
+            found.add(field.at, "SBGC080", f"the parameter {parameter} has no topic", hint)
 
 
 class _Resolver:

@@ -1,4 +1,4 @@
-"""The parts of worked examples in C++; templates/example/ writes them.
+"""The parts of worked examples in C++; templates/example.jinja writes them.
 
 A message is built by steps, and read by looks at some of its values.
 """
@@ -27,8 +27,7 @@ from sbgcgen.model.packed_text import part_of
 from sbgcgen.oracle.codec import Fields, is_bytes, keys_of
 from sbgcgen.oracle.example import Example, Piece
 from sbgcgen.oracle.typical import typical_number
-from sbgcgen.views.names import unit_name
-from sbgcgen.views.values import decimal, flags_of, parts_that_make, value_named
+from sbgcgen.views.code import decimal, flags_of, parts_that_make, unit_name, value_named
 
 # How many changed bytes are assigned one by one.
 _SINGLE_BYTES = 8

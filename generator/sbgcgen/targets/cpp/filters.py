@@ -18,7 +18,7 @@ from sbgcgen.model import (
     scalar_of,
 )
 from sbgcgen.targets.cpp.flag_unit import flag_units
-from sbgcgen.views.names import unit_name
+from sbgcgen.views.code import unit_name
 
 LINE = 100  # columns
 

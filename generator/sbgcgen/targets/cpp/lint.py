@@ -22,7 +22,7 @@ from sbgcgen.spec.diagnostics import Diagnostics
 from sbgcgen.spec.load import Map, Spec
 from sbgcgen.targets.cpp.filters import later_units
 from sbgcgen.targets.cpp.flag_unit import flag_units
-from sbgcgen.views.names import unit_name
+from sbgcgen.views.code import unit_name
 
 WORDS = frozenset(
     """alignas alignof and and_eq asm auto bitand bitor bool break case catch char char16_t

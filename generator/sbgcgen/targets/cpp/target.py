@@ -49,11 +49,11 @@ class Cpp(Target):
         code = self._code("convert", output, quantity=quantity, raw=raw)
         return replace(code, language="C++")
 
-    def _client(self, template: str, **facts: Any) -> Code:
-        return replace(self._code(template, **facts), language="C++ client", word="client")
+    def _client(self, kind: str, **facts: Any) -> Code:
+        return replace(self._code(kind, **facts), language="C++ client", word="client")
 
-    def _code(self, template: str, output: tuple[str, ...] = (), **facts: Any) -> Code:
+    def _code(self, kind: str, output: tuple[str, ...] = (), **facts: Any) -> Code:
         made = environment(self)
         made.filters.update(worked.FILTERS)
-        text = made.get_template(f"{self.name}/example/{template}.jinja").render(**facts)
+        text = made.get_template(f"{self.name}/example.jinja").render(kind=kind, **facts)
         return Code("C++ codec", "cpp", text.strip(), output)

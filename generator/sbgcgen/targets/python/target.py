@@ -2,20 +2,36 @@
 
 from __future__ import annotations
 
+import keyword
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Optional
 
 from sbgcgen.blocking import MADE, blocking, source_of
-from sbgcgen.model import Layout
+from sbgcgen.model import Enum, Layout, Message, Packed, Struct
 from sbgcgen.oracle.example import Example
 from sbgcgen.spec.diagnostics import Diagnostics
 from sbgcgen.spec.load import Spec
 from sbgcgen.targets import Code, Reference, Target, View
 from sbgcgen.targets.python import words
 from sbgcgen.targets.python.example import decoding, encoding
-from sbgcgen.targets.python.lint import check_names
 from sbgcgen.targets.python.reference import reference_of
+
+# The imports of the modules, and the bases of their classes.
+TAKEN = frozenset(
+    """Axes AxesOf BYTES Bytes ClassVar Elements Field Framing GroupOf IntEnum Iterable ListOf Message
+    Flags8 Flags16 Flags32 OpenEnum Optional Packed Part RAW REAL Request Structure TEXT TYPE_CHECKING UNSET Union ValueOf Xyz""".split()
+)
+
+
+def check_names(layout: Layout, found: Diagnostics) -> None:
+    """Report types and messages that the modules could not have; findings go into `found`."""
+    structs = (s for family in layout.families for s in family.structs)
+    things: list[Enum | Packed | Struct | Message] = [*layout.enums, *layout.packed, *structs]
+    for thing in (*things, *layout.messages):
+        if thing.name in TAKEN or keyword.iskeyword(thing.name):
+            text = f"'{thing.name}' is a type of the library"
+            found.add(thing.at, "SBGC022", text, "choose another name, for a message with 'as'")
 
 
 class Python(Target):

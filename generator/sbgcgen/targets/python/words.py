@@ -22,7 +22,7 @@ from sbgcgen.model import (
     constants,
     scalar_of,
 )
-from sbgcgen.views.names import attribute_name, enum_name
+from sbgcgen.views.code import attribute_name, enum_name
 from sbgcgen.views.words import body_size, directions_text, number, rules_in, versions
 
 LINE = 100  # columns

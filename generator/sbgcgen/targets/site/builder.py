@@ -9,7 +9,7 @@ from typing import Any
 
 from sbgcgen.model import Enum, Field, Message, Packed, Part, Quantity, Scalar, Struct, Type
 from sbgcgen.oracle.codec import keys_of
-from sbgcgen.views.names import attribute_name, enum_name, unit_name
+from sbgcgen.views.code import attribute_name, enum_name, unit_name
 from sbgcgen.views.words import positive_text
 
 # The largest integer that is written without a suffix has this many bytes; one of 3 is a type of its own.

@@ -7,7 +7,6 @@ from dataclasses import dataclass, field
 
 from sbgcgen.model import Availability, Enum, Layout, Message, Packed, Quantity, Type
 from sbgcgen.model.names import slug
-from sbgcgen.views.answers import asked_by
 from sbgcgen.views.rows import rows_of
 
 
@@ -171,3 +170,23 @@ def availability_of_types(layout: Layout) -> dict[str, Availability]:
     for variable in layout.variables:
         add(variable.quantity, variable.since)
     return {name: min(all_, key=lambda since: since.firmware) for name, all_ in found.items()}
+
+
+def confirmation(layout: Layout) -> Message | None:
+    """The confirmation message; None if the protocol has none."""
+    return next(iter(layout.having_role("confirmation")), None)
+
+
+def asked_by(layout: Layout) -> dict[str, list[Message]]:
+    """The requests that each message answers or confirms, by the message's name."""
+    found: dict[str, list[Message]] = {}
+    for message in layout.messages:
+        if message.answer is None:
+            continue
+        series = {case.series for case in message.answer.cases if case.series}
+        for name in (*message.answer.messages, *sorted(series)):
+            found.setdefault(name, []).append(message)
+        if message.answer.confirm != "never":
+            for confirming in layout.having_role("confirmation"):
+                found.setdefault(confirming.name, []).append(message)
+    return found

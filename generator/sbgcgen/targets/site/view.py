@@ -17,17 +17,10 @@ from jinja2.utils import htmlsafe_json_dumps
 from markupsafe import Markup, escape
 
 from sbgcgen import library
-from sbgcgen.model import Availability, Enum, Layout, Leaf, Message, Packed, Quantity
+from sbgcgen.model import Availability, Enum, Layout, Leaf, Message, Packed, Quantity, Revision
 from sbgcgen.model.export import export
 from sbgcgen.oracle.example import Example, example_of, physical
-from sbgcgen.targets import (
-    Items,
-    Target,
-    View,
-    codes_of,
-    conversions_of,
-    references_of,
-)
+from sbgcgen.targets import Items, Target, View, codes_of, conversions_of, references_of
 from sbgcgen.targets.render import expand, sources_of
 from sbgcgen.targets.site import rows, uses
 from sbgcgen.targets.site.builder import builder_facts
@@ -36,11 +29,39 @@ from sbgcgen.targets.site.guides import Guide, Pages, front_of, guides_in, name_
 from sbgcgen.targets.site.headers import Header, headers_of, linked
 from sbgcgen.targets.site.related import Relations
 from sbgcgen.targets.site.search import search_index
-from sbgcgen.views.answers import confirmation
+from sbgcgen.targets.site.uses import confirmation
 from sbgcgen.views.firmware import History, deprecated_always
-from sbgcgen.views.history import Revisions
-from sbgcgen.views.settings import send_command
 from sbgcgen.views.rows import Row, rows_of as rows_of_message
+from sbgcgen.views.settings import send_command
+
+
+class Revisions:
+    """An index of the additions of all revisions."""
+
+    def __init__(self, layout: Layout) -> None:
+        self._of = {
+            (addition.kind, addition.owner, addition.name): revision
+            for revision in layout.revisions
+            for addition in revision.adds
+        }
+        self._same = {m.name: m.same_as for m in layout.messages if m.same_as}
+
+    def of(self, kind: str, owner: str, name: str) -> Revision | None:
+        """The revision that added something; for a field, also the one that added its group.
+
+        A message with the body of another has the fields of that message.
+        """
+        owner = self._same.get(owner, owner) if kind == "field" else owner
+        name = re.sub(r"\[\d*\]", "", name) if kind == "field" else name
+        found = self._of.get((kind, owner, name))
+        while found is None and kind == "field" and "." in name:
+            name = name.rpartition(".")[0]
+            found = self._of.get((kind, owner, name))
+        return found
+
+    def of_message(self, message: Message) -> Revision | None:
+        """The revision that added a message, or else its command."""
+        return self.of("message", "", message.name) or self.of("command", "", message.command)
 
 
 @dataclass(frozen=True)

@@ -9,9 +9,8 @@ import { SliderRow } from "../inputs.js";
 import { motorsOff, motorsOn, moveTo, release } from "../lines.js";
 import { DeskContext, useDesk, useView } from "../session.js";
 import { numbers, type Limits } from "../values.js";
-import { useEvents } from "./events.js";
+import { ArmSwitch, useEvents } from "./parts.js";
 import { period, type Hold } from "./hold.js";
-import { ArmSwitch } from "./parts.js";
 import { useBench } from "./setup_session.js";
 
 const perSecond = 4;

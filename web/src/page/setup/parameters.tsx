@@ -1,11 +1,9 @@
 // The parameters of the board by their topics; changes are collected, reviewed and then written.
 
-import { useRef, useState } from "preact/hooks";
+import { useId, useRef, useState } from "preact/hooks";
 
 import type { Parameter, Plan, Read, Topic, Written } from "../../setup_messages.js";
-import { elementsOf } from "../../vendor_file.js";
 import { Button, Check, Select, SmallButton } from "../inputs.js";
-import { ParameterRow } from "./parameter_row.js";
 import { download, TaskState } from "./parts.js";
 import { Review } from "./review.js";
 import { useBench, useTask } from "./setup_session.js";
@@ -232,4 +230,139 @@ function TopicEntry({ topic, values, problems, isFiltered, fits, onEdit }: Topic
         ))}
     </details>
   );
+}
+
+/** Without the noise of floating point. */
+const short = (value: number): string => String(Number(value.toPrecision(7)));
+function rangeOf({ least, most }: Parameter): string {
+  if (least !== null && most !== null) return `${short(least)} to ${short(most)}`;
+  if (least !== null) return `from ${short(least)}`;
+  return most === null ? "" : `to ${short(most)}`;
+}
+
+interface Props {
+  parameter: Parameter;
+  /** The changed value; undefined if it is as it was read. */
+  edit: string | undefined;
+  problem: string | undefined;
+  onEdit: (text: string | undefined) => void;
+}
+
+function ParameterRow({ parameter, edit, problem, onEdit }: Props) {
+  const id = useId();
+  const { path, summary, text, general, default: usual } = parameter;
+  return (
+    <div class={edit === undefined ? "parameter" : "parameter changed"}>
+      <div>
+        <label for={id}>{path}</label> {summary}
+        {general && <span class="muted"> The same in all profiles.</span>}
+      </div>
+      <div class="row">
+        <Field
+          id={id}
+          parameter={parameter}
+          value={edit ?? text}
+          isWrong={problem !== undefined}
+          onChange={(now) => onEdit(now === text ? undefined : now)}
+        />
+        {edit !== undefined && (
+          <SmallButton label={`was ${text}; back: ${path}`} onClick={() => onEdit(undefined)}>
+            was {text}
+          </SmallButton>
+        )}
+        {problem && (
+          <p class="bad" id={`${id}-wrong`}>
+            {problem}
+          </p>
+        )}
+      </div>
+      <div class="row muted">
+        <span>{rangeOf(parameter)}</span>
+        {usual && <span>default {usual}</span>}
+      </div>
+    </div>
+  );
+}
+
+interface FieldProps {
+  id: string;
+  parameter: Parameter;
+  value: string;
+  isWrong: boolean;
+  onChange: (text: string) => void;
+}
+
+function Field({ id, parameter, value, isWrong, onChange }: FieldProps) {
+  const { kind, names, unit, path } = parameter;
+  if (kind === "enum") {
+    const isKnown = names.some(([name]) => name === value);
+    return (
+      <select id={id} value={value} onChange={(event) => onChange(event.currentTarget.value)}>
+        {!isKnown && <option>{value}</option>}
+        {names.map(([name, summary]) => (
+          <option key={name} value={name} title={summary}>
+            {name}
+          </option>
+        ))}
+      </select>
+    );
+  }
+  if (kind === "flags") {
+    const set = value.split("|").filter((one) => one !== "0");
+    // In the order of the names, then unknown bits, so that a change back is none.
+    const known = names.map(([name]) => name);
+    const all = [...known, ...set.filter((one) => !known.includes(one))];
+    const toggle = (name: string, on: boolean): void =>
+      onChange(all.filter((one) => (one === name ? on : set.includes(one))).join("|") || "0");
+    return (
+      <details>
+        <summary id={id}>{set.join(", ") || "none"}</summary>
+        <fieldset>
+          <legend class="hidden">{path}</legend>
+          {names.map(([name, summary]) => (
+            <Check
+              key={name}
+              label={name}
+              title={summary}
+              checked={set.includes(name)}
+              onChange={(on) => toggle(name, on)}
+            />
+          ))}
+        </fieldset>
+      </details>
+    );
+  }
+  return (
+    <>
+      <input
+        id={id}
+        type="text"
+        aria-invalid={isWrong}
+        aria-describedby={isWrong ? `${id}-wrong` : undefined}
+        inputMode={kind === "number" ? "decimal" : "text"}
+        autocomplete="off"
+        value={value}
+        onInput={(event) => onChange(event.currentTarget.value)}
+      />
+      {unit && <span class="unit">{unit}</span>}
+    </>
+  );
+}
+
+/** Returns the elements of a file as lines, for web/modules/setup.cpp: <NAME, =TEXT and >. */
+export function elementsOf(xml: string): string {
+  if (/<!DOCTYPE/i.test(xml)) throw new Error("a document type is not allowed");
+  const parsed = new DOMParser().parseFromString(xml, "text/xml");
+  if (parsed.querySelector("parsererror")) throw new Error("this is neither a backup nor XML");
+  const lines: string[] = [];
+  const walk = (element: Element): void => {
+    lines.push(`<${element.tagName}`);
+    for (const node of element.childNodes) {
+      if (node instanceof Element) walk(node);
+      else if (node instanceof CharacterData) lines.push(`=${node.data.replaceAll("\n", " ")}`);
+    }
+    lines.push(">");
+  };
+  walk(parsed.documentElement);
+  return `${lines.join("\n")}\n`;
 }

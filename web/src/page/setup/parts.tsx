@@ -1,11 +1,12 @@
-// Small parts: the switch that arms, the state of a task, a dialog that can stop, and downloads.
+// Small parts: the switch that arms, the state of a task, a dialog that can stop, downloads, and
+// listening as long as a part is in the page.
 
 import type { ComponentChildren } from "preact";
 import { useEffect, useRef } from "preact/hooks";
 
 import { Button, SmallButton } from "../inputs.js";
 import { StopButton } from "../status.js";
-import { useBench, type Task } from "./setup_session.js";
+import { type Task, useBench } from "./setup_session.js";
 
 /** Beside what would move. */
 export function ArmSwitch({ children }: { children: ComponentChildren }) {
@@ -84,4 +85,22 @@ export function download(content: BlobPart, type: string): void {
   link.download = `sbgc-${new Date().toISOString().slice(0, 19).replaceAll(":", "-")}.${type}`;
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+}
+
+type Hear = (event: Event) => unknown;
+
+/** `isFirst`: before the elements inside `target` hear of it. */
+export function useEvents(
+  target: EventTarget | undefined,
+  kinds: string[],
+  hear: Hear,
+  isFirst = false,
+): void {
+  const newest = useRef(hear);
+  newest.current = hear;
+  useEffect(() => {
+    const call: Hear = (event) => newest.current(event);
+    for (const kind of kinds) target?.addEventListener(kind, call, isFirst);
+    return () => kinds.forEach((kind) => target?.removeEventListener(kind, call, isFirst));
+  }, [target]);
 }
