@@ -14,14 +14,14 @@ namespace {
 constexpr std::size_t longest_text = std::size_t{1} << 20U;
 
 /// The elements, and the parser that names lines.
-struct Reading {
+struct XmlReading {
   VendorElements elements{};
   XML_Parser parser{};
 
   /// Calls `take(elements)`. A problem ends the parsing, and names its line.
   template <class Take>
   static void pass(void* user, Take take) {
-    Reading& self = *static_cast<Reading*>(user);
+    XmlReading& self = *static_cast<XmlReading*>(user);
     if (self.elements.has_failed()) return;
     take(self.elements);
     if (self.elements.has_failed()) XML_StopParser(self.parser, XML_FALSE);
@@ -36,25 +36,25 @@ Result<VendorFile> parse_vendor_file(std::string_view text) {
   }
   const std::unique_ptr<std::remove_pointer_t<XML_Parser>, void (*)(XML_Parser)> parser(
       XML_ParserCreate(nullptr), XML_ParserFree);
-  Reading reading{.parser = parser.get()};
+  XmlReading reading{.parser = parser.get()};
   XML_SetUserData(reading.parser, &reading);
   XML_SetElementHandler(
       reading.parser,
       [](void* user, const char* name, const char** /*attributes*/) {
-        Reading::pass(user, [name](VendorElements& elements) { elements.open(name); });
+        XmlReading::pass(user, [name](VendorElements& elements) { elements.open(name); });
       },
       [](void* user, const char* /*name*/) {
-        Reading::pass(user, [](VendorElements& elements) { elements.close(); });
+        XmlReading::pass(user, [](VendorElements& elements) { elements.close(); });
       });
   XML_SetCharacterDataHandler(reading.parser, [](void* user, const char* characters, int size) {
-    Reading::pass(user, [&](VendorElements& elements) {
+    XmlReading::pass(user, [&](VendorElements& elements) {
       elements.text({characters, static_cast<std::size_t>(size)});
     });
   });
   XML_SetStartDoctypeDeclHandler(reading.parser, [](void* user, const char* /*name*/,
                                                     const char* /*system*/, const char* /*id*/,
                                                     int /*internal*/) {
-    Reading::pass(
+    XmlReading::pass(
         user, [](VendorElements& elements) { elements.fail("a document type is not allowed"); });
   });
   const auto status =
