@@ -163,7 +163,7 @@ Candidates field_values(const std::string& message, const std::string& word) {
 }
 
 /// Other words for topics and axes, once one is begun: they would only make a whole list longer.
-Candidates other_words(const Place& place) {
+Candidates topic_synonyms(const Place& place) {
   Candidates result;
   if (place.word.empty()) return result;
   for (const TopicReference& topic : topic_references) {
@@ -176,7 +176,7 @@ Candidates other_words(const Place& place) {
 }
 
 Candidates topics(const Place& place) {
-  Candidates result = other_words(place);
+  Candidates result = topic_synonyms(place);
   for (const TopicReference& topic : topic_references) {
     result.push_back({topic.name, topic.summary});
   }
@@ -184,7 +184,7 @@ Candidates topics(const Place& place) {
 }
 
 Candidates described(const Place& place) {
-  Candidates result = other_words(place);
+  Candidates result = topic_synonyms(place);
   for (Candidate& word : words(described_words())) result.push_back(std::move(word));
   return result;
 }
@@ -298,14 +298,14 @@ void add_options(const CLI::App& command, Candidates& result) {
 }
 
 /// The choice by the words before the last one.
-struct Chosen {
+struct ChosenCommand {
   const CLI::App* command = nullptr;
   std::vector<std::string> arguments{};
   const CLI::Option* awaiting = nullptr;  ///< the option whose value comes next
 };
 
-Chosen chosen_by(const CLI::App& app, const std::vector<std::string>& line) {
-  Chosen result{.command = &app};
+ChosenCommand chosen_by(const CLI::App& app, const std::vector<std::string>& line) {
+  ChosenCommand result{.command = &app};
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
     const std::string& word = line[i];
     if (result.awaiting != nullptr) {
