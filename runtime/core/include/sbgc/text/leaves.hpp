@@ -231,7 +231,10 @@ class LeafWalk {
                                 const FieldPath& path) {
     // Most values are numbers, which should not pay for the rest.
     if (type.kind != Kind::scalar) return other(field, type, at, path);
-    scalar(field, type, at, path, type.meaning, field.later);
+    if (is_real(type.raw) || field.alternative != nullptr || !field.later.empty()) {
+      return scalar(field, type, at, path, type.meaning, field.later);
+    }
+    integer(field, type, at, path, type.meaning, nullptr);
   }
   SBGC_NOINLINE void other(const FieldInfo& field, const ValueType& type, const void* at,
                            const FieldPath& path) {
@@ -274,6 +277,7 @@ class LeafWalk {
       value(field, *type.element, element_at(type, at, i), FieldPath{&path, "", i});
     }
   }
+  /// Any scalar, with a meaning that may be another than that of its type.
   void scalar(const FieldInfo& field, const ValueType& type, const void* at, const FieldPath& path,
               ScalarInfo info, const std::span<const LaterMeaning>& later) {
     const LaterMeaning* const assumed = later.empty() ? nullptr : change(info, later);
@@ -289,6 +293,10 @@ class LeafWalk {
                   .assumed_before = assumed,
                   .size = type.wire});
     }
+    integer(field, type, at, path, info, assumed);
+  }
+  void integer(const FieldInfo& field, const ValueType& type, const void* at, const FieldPath& path,
+               const ScalarInfo& info, const LaterMeaning* assumed) {
     const std::int64_t raw = load_integer(type.raw, at);
     // Only a flag set or a packed value can select the unit of a later value.
     if (info.names != nullptr || info.packed != nullptr) remember(raw, path);
