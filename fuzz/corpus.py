@@ -1,59 +1,44 @@
-"""Write the inputs of the fuzzers as libFuzzer reads them, or gather inputs that it has found.
+"""Write the corpora of the fuzzers as libFuzzer reads them, or gather inputs that it has found.
 
-usage: corpus.py FOLDER                    write fuzz/corpus/FUZZER.txt as files FOLDER/corpus/FUZZER/1, 2 ...
-                                           and fuzz/regressions/FUZZER.txt as FOLDER/regressions/FUZZER/NAME
-       corpus.py --add FUZZER FILE...      add these inputs to fuzz/corpus/FUZZER.txt
-       corpus.py --failed FUZZER FILE NAME add an input that has failed to fuzz/regressions/FUZZER.txt
+usage: corpus.py FOLDER           write fuzz/corpus/NAME.txt as files FOLDER/NAME/1, 2 ...
+       corpus.py --add NAME FILE...  add these inputs to fuzz/corpus/NAME.txt
 
-A line of a corpus is an input in hex, the shortest first; a line of regressions has its name before it.
+A corpus has one input in hex a line, the shortest first.
 """
 
 from __future__ import annotations
 
-import shutil
 import sys
 from pathlib import Path
 
-HERE = Path(__file__).parent
-CORPUS = HERE / "corpus"
-REGRESSIONS = HERE / "regressions"
+CORPUS = Path(__file__).parent / "corpus"
 
 
-def inputs_of(text: Path) -> dict[str, bytes]:
-    """The inputs of a text file by name; those without a name are numbered."""
-    lines = text.read_text().splitlines() if text.exists() else []
-    words = ([str(number), *line.split()] for number, line in enumerate(lines, start=1))
-    return {name: bytes.fromhex(data) for *_, name, data in words}
+def inputs_of(corpus: Path) -> list[bytes]:
+    return [bytes.fromhex(line) for line in corpus.read_text().splitlines()]
 
 
 def write(folder: Path) -> None:
-    for texts in (CORPUS, REGRESSIONS):
-        shutil.rmtree(folder / texts.name, ignore_errors=True)
-        for text in texts.glob("*.txt"):
-            target = folder / texts.name / text.stem
-            target.mkdir(parents=True)
-            for name, data in inputs_of(text).items():
-                (target / name).write_bytes(data)
+    for corpus in CORPUS.glob("*.txt"):
+        target = folder / corpus.stem
+        target.mkdir(parents=True, exist_ok=True)
+        for old in target.iterdir():
+            old.unlink()
+        for number, data in enumerate(inputs_of(corpus), start=1):
+            (target / str(number)).write_bytes(data)
 
 
-def add(fuzzer: str, files: list[str]) -> None:
-    corpus = CORPUS / f"{fuzzer}.txt"
-    data = {*inputs_of(corpus).values(), *(Path(file).read_bytes() for file in files)}
+def add(name: str, files: list[str]) -> None:
+    corpus = CORPUS / f"{name}.txt"
+    known = inputs_of(corpus) if corpus.exists() else []
+    data = {*known, *(Path(file).read_bytes() for file in files)}
     corpus.write_text("".join(f"{one.hex()}\n" for one in sorted(data, key=lambda d: (len(d), d))))
-
-
-def add_failed(fuzzer: str, file: str, name: str) -> None:
-    regressions = REGRESSIONS / f"{fuzzer}.txt"
-    known = {**inputs_of(regressions), name: Path(file).read_bytes()}
-    regressions.write_text("".join(f"{one} {data.hex()}\n" for one, data in sorted(known.items())))
 
 
 if __name__ == "__main__":
     match sys.argv[1:]:
-        case ["--add", fuzzer, *files] if files:
-            add(fuzzer, files)
-        case ["--failed", fuzzer, file, name]:
-            add_failed(fuzzer, file, name)
+        case ["--add", name, *files] if files:
+            add(name, files)
         case [folder]:
             write(Path(folder))
         case _:

@@ -50,7 +50,8 @@ def replay(program: Path, folder: Path) -> dict[str, Lines]:
     """Runs a fuzzer on its committed inputs; returns the lines of each file of the project."""
     name = program.name[len("fuzz_") :]
     raw, profile = folder / f"{name}.profraw", folder / f"{name}.profdata"
-    inputs = [str(program.parent / place / name) for place in ("seeds", "corpus", "regressions")]
+    places = (program.parent / "seeds", program.parent / "corpus", ROOT / "fuzz/regressions")
+    inputs = [str(place / name) for place in places]
     done = subprocess.run(
         [program, *inputs],
         env={**os.environ, "LLVM_PROFILE_FILE": str(raw)},

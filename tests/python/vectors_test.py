@@ -210,9 +210,10 @@ def test_frames_in_every_framing_are_found_and_decoded() -> None:
 def inputs_of_fuzzers(seeds: Path) -> Iterator[bytes]:
     make = [str(ROOT / "generator/python"), *"-m sbgcgen seeds --root".split(), str(ROOT)]
     subprocess.run([*make, "--output", str(seeds)], check=True)
-    yield from (path.read_bytes() for path in sorted(seeds.rglob("*")) if path.is_file())
-    for text in sorted((ROOT / "fuzz").glob("*/*.txt")):  # of the corpus and of regressions
-        yield from (bytes.fromhex(line.split()[-1]) for line in text.read_text().splitlines())
+    for folder in (ROOT / "fuzz" / "regressions", seeds):
+        yield from (path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file())
+    for corpus in sorted((ROOT / "fuzz" / "corpus").glob("*.txt")):
+        yield from map(bytes.fromhex, corpus.read_text().splitlines())
 
 
 def test_inputs_of_the_fuzzers_decode_or_raise_and_nothing_is_lost(tmp_path: Path) -> None:
