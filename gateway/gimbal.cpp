@@ -46,30 +46,6 @@ ClientStatistics sum_of(const ClientStatistics& a, const ClientStatistics& b) {
   return sum;
 }
 
-/// A client counts anew with each connection; this adds them up, so that no counter decreases.
-class CountedLine {
- public:
-  /// Takes the counters of the connection with this number, and returns the sum.
-  ClientStatistics total(std::uint64_t connection, const ClientStatistics& counters) {
-    if (connection != connection_) {
-      earlier_ = sum_of(earlier_, current_);
-      connection_ = connection;
-    }
-    current_ = counters;
-    return sum_of(earlier_, current_);
-  }
-
- private:
-  std::uint64_t connection_ = 0;
-  ClientStatistics earlier_{};
-  ClientStatistics current_{};
-};
-
-constexpr std::chrono::milliseconds first_pause_between_attempts{1'000};
-constexpr std::chrono::milliseconds longest_pause_between_attempts{30'000};
-/// After which a stream that could not be started is tried again.
-constexpr std::chrono::milliseconds pause_before_telemetry{5'000};
-
 /// The connection is made again by the client, from the first one on.
 ReconnectOptions options_of(const NamedGimbal& line) {
   GimbalOptions options;
@@ -97,6 +73,30 @@ std::string event_kind(NoticeKind kind) {
 }
 
 }  // namespace
+
+/// A client counts anew with each connection; this adds them up, so that no counter decreases.
+class CountedLine {
+ public:
+  /// Takes the counters of the connection with this number, and returns the sum.
+  ClientStatistics total(std::uint64_t connection, const ClientStatistics& counters) {
+    if (connection != connection_) {
+      earlier_ = sum_of(earlier_, current_);
+      connection_ = connection;
+    }
+    current_ = counters;
+    return sum_of(earlier_, current_);
+  }
+
+ private:
+  std::uint64_t connection_ = 0;
+  ClientStatistics earlier_{};
+  ClientStatistics current_{};
+};
+
+constexpr std::chrono::milliseconds first_pause_between_attempts{1'000};
+constexpr std::chrono::milliseconds longest_pause_between_attempts{30'000};
+/// After which a stream that could not be started is tried again.
+constexpr std::chrono::milliseconds pause_before_telemetry{5'000};
 
 Io::Io(unsigned threads)
     : context_(static_cast<int>(threads)), work_(asio::make_work_guard(context_)) {
