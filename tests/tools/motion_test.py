@@ -53,10 +53,10 @@ def test_the_camera_goes_where_the_question_said() -> None:
     """And a relative way past two turns wraps, as the angles of boards do."""
     with emulated_gimbal() as gimbal:
         there = ("--speed", "500", "--wait", "--yes", "-p", gimbal.address)
-        assert run("move", "--yaw", "719", *there).status == 0
-        result = run("move", "--yaw", "3", "--relative", *there)
+        assert run("move", "--yaw", "710", *there).status == 0
+        result = run("move", "--yaw", "20", "--relative", *there)
         assert result.status == 0, result
-        asked = re.search(r"to ([\d.]+) deg left \(now ([\d.]+) right: right by 3\)", result.error)
+        asked = re.search(r"to ([\d.]+) deg left \(now ([\d.]+) right: right by 20\)", result.error)
         ended = re.search(r"The camera is at ([\d.]+) deg left", result.error)
         assert asked and ended and float(ended[1]) == pytest.approx(float(asked[1]), abs=0.6)
 
