@@ -165,8 +165,14 @@ def _compile() -> Path:
     # Without what CMake has found for another Python.
     forget = ["-U", "*Python_*", "-U", "PYTHON_*", "-U", "pybind11_*"]
     subprocess.run(["cmake", "-S", ROOT, "-B", BUILD, "-G", "Ninja", *forget, *said], check=True)
-    status = {**os.environ, "NINJA_STATUS": "sbgc: [%f of %t, %es] "}
-    subprocess.run(["cmake", "--build", BUILD, "--target", "sbgc_python"], check=True, env=status)
+    # More compilers than processors take more memory and processor time.
+    environment = {
+        "CMAKE_BUILD_PARALLEL_LEVEL": str(os.cpu_count() or 1),
+        **os.environ,
+        "NINJA_STATUS": "sbgc: [%f of %t, %es] ",
+    }
+    build = ["cmake", "--build", BUILD, "--target", "sbgc_python"]
+    subprocess.run(build, check=True, env=environment)
     return BUILD / "python" / "sbgc"
 
 

@@ -119,14 +119,23 @@ export function createView(canvas: HTMLCanvasElement, context: WebGL2RenderingCo
     renderer.render(scene, viewer);
   };
 
+  // The attitudes of the last picture. Noise that moves nothing by a pixel costs none.
+  const drawn = { frame: new THREE.Quaternion(), camera: new THREE.Quaternion() };
+  const leastVisible = radians(0.05);
+
   const view: View3D = {
     show: (frameAngles, cameraAngles) => {
       frame.quaternion.copy(attitude(frameAngles));
-      const relative = frame.quaternion.clone().invert().multiply(attitude(cameraAngles));
+      const seen = attitude(cameraAngles);
+      const relative = frame.quaternion.clone().invert().multiply(seen);
       const joints = new THREE.Euler().setFromQuaternion(relative, order);
       yawArm.rotation.y = joints.y;
       rollArm.rotation.z = joints.z;
       camera.rotation.x = joints.x;
+      const turned = Math.max(drawn.frame.angleTo(frame.quaternion), drawn.camera.angleTo(seen));
+      if (turned < leastVisible) return;
+      drawn.frame.copy(frame.quaternion);
+      drawn.camera.copy(seen);
       render();
     },
     resize: () => {
