@@ -171,7 +171,7 @@ def _compile() -> Path:
         **os.environ,
         "NINJA_STATUS": "sbgc: [%f of %t, %es] ",
     }
-    build = ["cmake", "--build", BUILD, "--target", "sbgc_python"]
+    build = ["cmake", "--build", str(BUILD), "--target", "sbgc_python"]
     subprocess.run(build, check=True, env=environment)
     return BUILD / "python" / "sbgc"
 
