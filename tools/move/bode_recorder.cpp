@@ -221,9 +221,11 @@ msg::Milliseconds SampleTimes::interval() const {
   std::nth_element(gaps.begin(), middle, gaps.end());
   const double all =
       std::chrono::duration<double, std::milli>(times_.back() - times_.front()).count();
-  // A gap that is twice as long as most has lost a sample.
-  const double count =
-      *middle > 0 ? std::max(1.0, std::round(all / *middle)) : static_cast<double>(gaps.size());
+  const auto heard = static_cast<double>(gaps.size());
+  // A gap that is twice as long as most has lost a sample. If most would be lost, the machine was
+  // busy, and they arrived in bunches.
+  const double sent = *middle > 0 ? std::round(all / *middle) : heard;
+  const double count = sent >= 1 && sent <= 2 * heard ? sent : heard;
   const long rounded = std::clamp(std::lround(all / count), 1L, 1000L);
   return msg::Milliseconds(static_cast<msg::Milliseconds::raw_type>(rounded));
 }
