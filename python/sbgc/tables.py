@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Mapping
 from datetime import datetime, timedelta, timezone
 from functools import partial
 from importlib import import_module
-from typing import Any, Optional, Union
+from typing import Any, Union
 
 import numpy
 
@@ -23,8 +23,6 @@ _TYPES = {
     **{f"{kind}{8 * size}": f"<{kind}{size}" for kind in "iuf" for size in (1, 2, 4, 8)},
     **{"i24": "(3,)u1", "u24": "(3,)u1"},
 }
-# The rows that columns() converts at a time, whose bytes stay in the cache meanwhile.
-_ROWS = 1 << 14
 
 
 class Table(Mapping[str, "Array"]):
@@ -117,63 +115,42 @@ class _FixedTable(Table):
         )
         data = numpy.frombuffer(bodies.bytes, numpy.uint8)
         self._array: Array = data.view(dtype) if len(data) else numpy.zeros(0, dtype)
-        self._converters: dict[str, Callable[..., Array]] = {
-            path: partial(_column, kind=kind, scale=scale)
-            for path, kind, _, _, scale, is_reserved in layout
-            if not is_reserved
-        }
-        columns = {path: partial(self._column, path) for path in self._converters}
-        super().__init__(message, {"time": lambda: numpy.array(self._array["time"]), **columns})
+        self._bodies = bodies
+        self._numbers: dict[str, str] = {"time": "f8"}
+        columns: dict[str, Callable[[], Array]] = {"time": partial(self._number, "time")}
+        for path, kind, _, _, has_unit, is_reserved in layout:
+            if is_reserved:
+                continue
+            if kind in ("text", "bytes"):
+                columns[path] = partial(self._objects, path, _text if kind == "text" else bytes)
+            else:
+                wide = {"i24": "i4", "u24": "u4"}.get(kind, _TYPES[kind])
+                self._numbers[path] = "f8" if has_unit else wide
+                columns[path] = partial(self._number, path)
+        super().__init__(message, columns)
 
     @property
     def array(self) -> Array:
         return self._array
 
     def columns(self) -> dict[str, Array]:
-        rows = len(self._array)
-        missing = [path for path in self._converters if path not in self._made]
-        for path in missing:
-            dtype = self._converters[path](self._array[path][:0]).dtype
-            self._made[path] = numpy.empty(rows, dtype)
-        for start in range(0, rows, _ROWS):
-            block = self._array[start : start + _ROWS]
-            for path in missing:
-                self._converters[path](block[path], self._made[path][start : start + _ROWS])
+        missing = {path: type_ for path, type_ in self._numbers.items() if path not in self._made}
+        made = {path: numpy.empty(len(self._array), type_) for path, type_ in missing.items()}
+        self._bodies.fill(self.message.__name__, made)
+        self._made.update(made)
         return dict(self)
 
-    def _column(self, path: str) -> Array:
-        return self._converters[path](self._array[path])
+    def _number(self, path: str) -> Array:
+        column: Array = numpy.empty(len(self._array), self._numbers[path])
+        self._bodies.fill(self.message.__name__, {path: column})
+        return column
+
+    def _objects(self, path: str, convert: Callable[[Any], object]) -> Array:
+        return numpy.array([convert(one) for one in self._array[path].tolist()], object)
 
 
-def _column(
-    raw: Array, out: Optional[Array] = None, *, kind: str, scale: Optional[_core.Scale]
-) -> Array:
-    """The values of the raw numbers in their unit, in `out` if there is one."""
-    if kind == "text":
-        texts = [one.split(b"\0")[0].decode("utf-8", "surrogateescape") for one in raw.tolist()]
-        raw = numpy.array(texts, object)
-    elif kind == "bytes":
-        raw = numpy.array([bytes(one) for one in raw], object)
-    elif kind in ("i24", "u24"):
-        raw = raw.astype(numpy.int32) @ numpy.array([1, 1 << 8, 1 << 16], numpy.int32)
-        if kind == "i24":
-            raw = numpy.where(raw >= 1 << 23, raw - (1 << 24), raw)
-    dtype = raw.dtype if scale is None else numpy.float64
-    values: Array = numpy.empty(len(raw), dtype) if out is None else out
-    if scale is None:
-        values[:] = raw
-        return values
-    numerator, denominator, offset, growth = scale
-    # The order of the operations is that of C++, so that the numbers are the same.
-    with numpy.errstate(invalid="ignore"):  # of a number that is none on the wire
-        values[:] = numpy.power(growth, raw) if growth else raw
-        if numerator != 1:
-            values *= numerator
-        if denominator != 1:
-            values /= denominator
-        if offset != 0:
-            values += offset
-    return values
+def _text(value: bytes) -> str:
+    return value.split(b"\0")[0].decode("utf-8", "surrogateescape")
 
 
 def _varying_table(message: type[Message], content: _core.Columns) -> Table:

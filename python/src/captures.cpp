@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -20,6 +22,7 @@
 #include <sbgc/parser.hpp>
 
 #include "binding.hpp"
+#include "columns.hpp"
 #include "kinds.hpp"
 
 namespace sbgc::python {
@@ -253,8 +256,8 @@ class CaptureReader {
   std::array<std::array<std::array<Form, max_body_size + 1>, 256>, 2> forms_{};
 };
 
-/// For each value its path, its type as in simplebgc.json, its size and offset in the body, and its
-/// unit as numerator, denominator, offset and growth; None without a unit.
+/// For each value its path, its type as in simplebgc.json, its size and offset in the body, whether
+/// it has a unit, and whether it is reserved.
 py::object layout_of(std::string_view name) {
   const MessageType* const type = find_message(name);
   const auto layout = type == nullptr ? std::nullopt : fixed_layout(*type);
@@ -262,17 +265,36 @@ py::object layout_of(std::string_view name) {
   py::list result;
   for (const FixedValue& value : *layout) {
     const FieldType& field = *value.type;
-    const UnitInfo* const unit = field.unit;
     const char* const kind = field.shape == FieldShape::bytes  ? "bytes"
                              : field.shape == FieldShape::text ? "text"
                                                                : field.type;
-    const py::object scale = unit == nullptr ? py::object(py::none())
-                                             : py::make_tuple(unit->numerator, unit->denominator,
-                                                              unit->offset, unit->growth);
-    result.append(
-        py::make_tuple(value.path, kind, field.size, value.offset, scale, field.info->reserved));
+    result.append(py::make_tuple(value.path, kind, field.size, value.offset, field.unit != nullptr,
+                                 field.info->reserved));
   }
   return result;
+}
+
+/// Fills arrays of numpy with the numbers of these paths, or with the times.
+void fill_arrays(const Bodies& bodies, std::string_view message,
+                 const std::map<std::string, py::buffer, std::less<>>& arrays) {
+  static const FieldType seconds{.shape = FieldShape::real, .size = sizeof(double)};
+  auto layout = *fixed_layout(*find_message(message));
+  for (FixedValue& value : layout) value.offset += Bodies::head_size;
+  layout.push_back({"time", &seconds, 0});
+  std::vector<NumberColumn> columns;
+  for (const FixedValue& value : layout) {
+    const auto found = arrays.find(value.path);
+    if (found == arrays.end()) continue;
+    const py::buffer_info array = found->second.request(true);
+    const std::size_t size = bodies.rows() * number_size(*value.type);
+    if (static_cast<std::size_t>(array.size * array.itemsize) != size) {
+      throw py::value_error(value.path + ": the array has another size");
+    }
+    columns.push_back({value.type, value.offset, static_cast<std::uint8_t*>(array.ptr)});
+  }
+  with_bytes(bodies.bytes(), [&](Bytes bytes) {
+    fill({bytes.data(), bodies.rows(), bodies.stride()}, columns);
+  });
 }
 
 }  // namespace
@@ -280,7 +302,8 @@ py::object layout_of(std::string_view name) {
 void bind_captures(py::module_& module) {
   py::class_<Bodies, std::shared_ptr<Bodies>>(module, "Bodies")
       .def_property_readonly("bytes", &Bodies::bytes)
-      .def_property_readonly("stride", &Bodies::stride);
+      .def_property_readonly("stride", &Bodies::stride)
+      .def("fill", &fill_arrays);
   py::class_<CaptureReader>(module, "CaptureReader")
       .def(py::init<>())
       .def("feed", &CaptureReader::feed)

@@ -34,6 +34,7 @@ class Bodies {
     std::fill(end, row + stride_, std::uint8_t{0});
   }
 
+  std::size_t rows() const noexcept { return rows_; }
   std::size_t stride() const noexcept { return stride_; }
   const py::bytearray& bytes() const noexcept { return bytes_; }
 

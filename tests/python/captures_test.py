@@ -17,7 +17,7 @@ import numpy
 import pytest
 
 import sbgc
-from sbgc import DecodeError, Direction, Message, _core, msg, read_capture, tables
+from sbgc import DecodeError, Direction, Message, _core, msg, read_capture
 from vectors_test import vectors
 
 FROM_BOARD, TO_BOARD, NOTE = 1, 2, 3
@@ -122,10 +122,7 @@ def test_every_value_of_every_message_is_that_of_the_command(everything: Path) -
     assert len(rows) > 200 and values > 10_000, values
 
 
-def test_all_columns_at_once_are_those_asked_for_singly(
-    everything: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(tables, "_ROWS", 2)
+def test_all_columns_at_once_are_those_asked_for_singly(everything: Path) -> None:
     singly = read_capture(everything)
     for message, table in read_capture(everything).items():
         columns = table.columns()
@@ -134,6 +131,19 @@ def test_all_columns_at_once_are_those_asked_for_singly(
             expected = singly[message][path]
             assert column.dtype == expected.dtype
             assert column.tolist() == pytest.approx(expected.tolist(), rel=0, nan_ok=True), path
+
+
+def test_columns_of_many_messages_are_those_of_their_bytes(tmp_path: Path) -> None:
+    count = 150_001  # for several threads, whose last block is not full
+    raw = numpy.arange(9 * count, dtype="<i8").astype("<i2").reshape(count, 9)
+    frames = [frame(ANGLES, one.tobytes()) for one in raw]
+    records = [record(FROM_BOARD, time, one) for time, one in enumerate(frames)]
+    table = read_capture(write(tmp_path / "long.sbgc", session(), *records))[msg.GetAngles]
+    columns = table.columns()
+    assert numpy.array_equal(columns["time"], numpy.arange(count) / 1e6)
+    for axis, name in enumerate(("roll", "pitch", "yaw")):
+        angle = columns[f"axes.{name}.imu_angle"]
+        assert numpy.array_equal(angle, raw[:, 3 * axis] * 360.0 / 16384), name
 
 
 def test_arrays_have_the_bytes_of_the_bodies(everything: Path) -> None:
