@@ -87,7 +87,7 @@ class Station:
         until = time.monotonic() + seconds
         while time.monotonic() < until:
             is_autopilot, heading = self.sender[1] == 1, self.heading()
-            if time.monotonic() >= self.beat:
+            if self.peer and time.monotonic() >= self.beat:
                 self.beat = time.monotonic() + 1
                 who = {"type": 2, "autopilot": 3} if is_autopilot else {"type": 6, "autopilot": 8}
                 self.put(self.encode("HEARTBEAT", system_status=4, mavlink_version=3, **who))

@@ -55,6 +55,7 @@ class Device:
 
     async def run(self) -> None:
         """Send heartbeats and statuses for ever."""
+        await self.vehicle.has_had_a_line.wait()  # or the first heartbeat would be lost
         beat = time.monotonic()
         while True:
             if (now := time.monotonic()) >= beat:

@@ -67,8 +67,8 @@ async def _serial(vehicle: Vehicle, path: str, speed: int) -> None:
             termios.tcsetattr(number, termios.TCSANOW, settings)
         except termios.error as error:
             raise OSError(f"no serial port: {error}") from None
-        reading, _ = await loop.connect_read_pipe(lambda: line, port)
         line.transport, _ = await loop.connect_write_pipe(asyncio.BaseProtocol, port)
+        reading, _ = await loop.connect_read_pipe(lambda: line, port)
         LOG.info("%s: open", path)
         try:
             await line.lost

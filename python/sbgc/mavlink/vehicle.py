@@ -33,6 +33,7 @@ class Vehicle:
         self.name, self.system, self.key = name or "vehicle", given.system, key_of(given.key_file)
         self.counters: Counter[str] = Counter()
         self.lines: list[Line] = []
+        self.has_had_a_line = asyncio.Event()
         # What takes the messages for a component. Raises ValueError with the reason of a refusal.
         self.devices: dict[int, Callable[[Message], None]] = {}
         self._is_given = bool(given.system)
@@ -90,7 +91,7 @@ class Vehicle:
 class Line(asyncio.Protocol, asyncio.DatagramProtocol):
     """One connection, or the datagrams of several peers."""
 
-    transport: Any
+    transport: Any = None
 
     def __init__(self, vehicle: Vehicle, kind: str = "") -> None:
         self.lost, self.is_new = asyncio.get_running_loop().create_future(), True
@@ -100,8 +101,9 @@ class Line(asyncio.Protocol, asyncio.DatagramProtocol):
         self._peers: dict[Any, dict[Ids, tuple[int, float]]] = {} if self._is_open else {None: {}}
 
     def connection_made(self, transport: Any) -> None:
-        self.transport = transport
+        self.transport = self.transport or transport  # a serial port has one for each direction
         self._vehicle.lines.append(self)
+        self._vehicle.has_had_a_line.set()
 
     def connection_lost(self, exc: object) -> None:
         self._vehicle.lines.remove(self)

@@ -260,12 +260,29 @@ void find_used(const void* object, UsedMembers& used) {
   Meta<T>::visit_used(*static_cast<const T*>(object), UsedMembersFinder<T>{used});
 }
 
-constexpr Limited limited(const FieldInfo& field) noexcept {
-  if (field.range != nullptr || field.align != 1 || field.is_variable_value) return Limited::always;
+constexpr Limited greater(Limited a, Limited b) noexcept { return a < b ? b : a; }
+/// Returns true if the wire can carry numbers outside the range.
+constexpr bool can_leave(const Range& range, const ValueType& type) noexcept {
+  if (type.kind == Kind::axes || type.kind == Kind::array) return can_leave(range, *type.element);
+  if (type.kind != Kind::scalar || type.raw >= RawType::u64) return true;
+  const bool is_signed = (static_cast<unsigned>(type.raw) & 1U) != 0;
+  const auto numbers = static_cast<double>(std::uint64_t{1} << (8U * type.wire));
+  const double lowest = is_signed ? -numbers / 2 : 0;
+  return range.lowest > lowest || range.highest < lowest + numbers - 1;
+}
+constexpr Limited limited(const FieldInfo& field, const ValueType& type) noexcept {
+  if (field.align != 1 || field.is_variable_value) return Limited::always;
+  if (field.range != nullptr && can_leave(*field.range, type)) return Limited::always;
   for (const LaterMeaning& later : field.later) {
-    if (later.range != nullptr) return Limited::always;
+    if (later.range != nullptr && can_leave(*later.range, type)) return Limited::always;
   }
   return is_in_all(field.since) ? Limited::never : Limited::on_some_boards;
+}
+constexpr Limited limited(const StructTable& table) noexcept {
+  if (!table.rules.empty() || table.limits == nullptr) return Limited::always;
+  Limited most = Limited::never;
+  for (std::size_t i = 0; i < table.slots.size(); ++i) most = greater(most, table.limits[i]);
+  return most;
 }
 /// As above, whatever the field. The number of elements is limited, too.
 constexpr Limited limited(const ValueType& type) noexcept {
@@ -275,6 +292,7 @@ constexpr Limited limited(const ValueType& type) noexcept {
       return type.has_versions ? Limited::on_some_boards : Limited::never;
     case Kind::axes:
     case Kind::array: return limited(*type.element);
+    case Kind::group: return limited(*type.group);
     case Kind::bytes: return type.is_bounded ? Limited::always : Limited::never;
     case Kind::text:
     case Kind::number: return Limited::never;
@@ -287,9 +305,7 @@ inline constexpr auto limited_members = [] {
   std::array<Limited, std::size(Meta<T>::fields)> limits{};
   const Slot* slot = Meta<T>::template slots<Members>;
   for (std::size_t i = 0; i < limits.size(); ++i, ++slot) {
-    const Limited by_field = limited(Meta<T>::fields[i]);
-    const Limited by_type = limited(*slot->type);
-    limits[i] = by_field < by_type ? by_type : by_field;
+    limits[i] = greater(limited(Meta<T>::fields[i], *slot->type), limited(*slot->type));
   }
   return limits;
 }();
