@@ -20,6 +20,8 @@
 #include <utility>
 #include <vector>
 
+#include <sbgc/any.hpp>
+#include <sbgc/client/calibrations.hpp>
 #include <sbgc/client/tasks.hpp>
 
 #include "client/virtual_client.hpp"
@@ -108,6 +110,25 @@ Task<Result<void>> wait_for(Duration time) {
   co_return co_await tasks::wait_until(task.now() + time);
 }
 
+/// Receives a data stream, for a while also at another interval, and waits until the board has been
+/// asked to end it.
+Task<std::size_t> stream(msg::DataStreamInterval request, msg::DataStreamInterval other,
+                         Duration time) {
+  sbgc::TaskMachine& task = co_await tasks::this_task();
+  const sbgc::CallId id = task.begin_stream<msg::RealtimeData3>(request);
+  static_cast<void>(co_await tasks::wait_until(task.now() + time));
+  const sbgc::CallId second = task.begin_stream<msg::RealtimeData3>(other);
+  static_cast<void>(co_await tasks::wait_until(task.now() + time));
+  const std::size_t samples = task.take_series(id).size();
+  task.end(id);
+  static_cast<void>(co_await tasks::wait_until(task.now() + time));
+  task.end(second);
+  for (const Instant end = task.now() + sbgc::seconds(60); task.now() < end;) {
+    static_cast<void>(co_await tasks::wait_until(end));
+  }
+  co_return samples;
+}
+
 template <class M>
 Task<bool> answer_of(M request, sbgc::CallOptions options = {}) {
   co_return static_cast<bool>(co_await tasks::call(request, options));
@@ -128,6 +149,7 @@ sbgc::ConnectOptions client_options(std::uint8_t choice) {
   sbgc::ConnectOptions options;
   options.pacing = (choice & 2) != 0;
   if ((choice & 4) != 0) options.duplicate_window = std::chrono::milliseconds(200);
+  if ((choice & 64) != 0) options.password = "password";
   options.retries = (choice >> 3) % 4;
   return options;
 }
@@ -139,10 +161,13 @@ class Player {
         choice_(input_.byte()),
         is_foul_(choice_ >= 128),
         client_(board_options(choice_), {}, &line_, client_options(choice_)) {
-    frames_ = client_.delivery().on_frame([this](const sbgc::BoardFrame& shown) {
+    notices_ = client_.client().on_notice(
+        [](const sbgc::Notice& notice) { require(!notice.message.empty()); });
+    frames_ = client_.client().on_frame([this](const sbgc::BoardFrame& shown) {
       if (is_foul_) return;
       shown_.push_back({shown.frame.id, {shown.frame.body.begin(), shown.frame.body.end()}});
     });
+    angles_ = client_.client().subscribe<msg::GetAngles>([](const msg::GetAngles&) {});
     original_ = *client_.run(tasks::read_parameters(reading()));
     for (const sbgc::Parameters& block : original_.all()) possible_[key(block.id)] = {block.body};
     shown_.clear();
@@ -184,12 +209,23 @@ class Player {
       if (until_cancelled != 0 && --until_cancelled == 0) machine.cancel();
     });
     require(client_.now() - start <= most);
-    require(client_.pending() == 0);
+    require(is_beside_ || client_.pending() == 0);
     cancel_after_ = 0;
     return result;
   }
 
+  /// Starts a task that supersedes the motion of the one that runs.
+  void stop_beside() {
+    client_.start(tasks::stop(), [](const Result<void>&) {});
+    is_beside_ = true;
+  }
+
   void step() {
+    take_step();
+    if (std::exchange(is_beside_, false)) static_cast<void>(run(wait_for(recovery_time)));
+  }
+
+  void take_step() {
     const std::uint8_t code = input_.byte();
     if (code >= 128) cancel_after_ = input_.byte() * 2U + 1;
     switch (code % 21) {
@@ -216,7 +252,18 @@ class Player {
       case 17: files(); break;
       case 18: write_others(); break;
       case 19: refused(); break;
-      default: static_cast<void>(run(tasks::active_profile())); break;
+      default: rare(); break;
+    }
+  }
+
+  void rare() {
+    switch (input_.byte() % 6) {
+      case 0: static_cast<void>(run(tasks::active_profile())); break;
+      case 1: record(); break;
+      case 2: flash(); break;
+      case 3: receive_stream(); break;
+      case 4: connect(); break;
+      default: calibrate_otherwise(); break;
     }
   }
 
@@ -252,10 +299,12 @@ class Player {
 
   void eeprom() {
     may_hold_anything_ = true;
-    const std::uint32_t address = input_.byte() * 150U;
+    const std::uint8_t place = input_.byte();
+    const std::uint32_t address = place == 255 ? 0xFFFF'FFFFU : place * 150U;
     const Bytes data = some_bytes(1 + input_.byte() % 100);
-    const auto written = run(tasks::upload_eeprom(address, data, {.verify = (data[0] & 1) != 0}));
-    if ((data[0] & 1) == 0) return;
+    const bool is_verified = !data.empty() && data[0] % 2 != 0;
+    const auto written = run(tasks::upload_eeprom(address, data, {.verify = is_verified}));
+    if (!is_verified) return;
     require_kept(
         written, [&] { return tasks::download_eeprom(address, data.size()); }, data);
   }
@@ -318,7 +367,9 @@ class Player {
       }
       const std::uint8_t change = changes[at++];
       next = client_.now() + sbgc::milliseconds(10) * change;
-      static_cast<void>(change % 5 == 0
+      if (change == 255) return stop_beside();
+      static_cast<void>(change % 5 == 1 ? speed->refresh(client_.now())
+                        : change % 5 == 0
                             ? speed->stop()
                             : speed->set({.yaw = msg::ControlSpeed(change)}, client_.now()));
     };
@@ -326,7 +377,7 @@ class Player {
         sbgc::detail::hold_speed(
             speed, sbgc::detail::BoundedTurn(bound, std::chrono::milliseconds(500)), yields),
         owner));
-    require(client_.pending() == 0);
+    require(is_beside_ || client_.pending() == 0);
   }
 
   void move() {
@@ -338,7 +389,10 @@ class Player {
     options.tolerance = choice % 16;
     options.stop_on_failure = choice % 2 == 0;
     int looks = 0;
-    options.progress = [&](const sbgc::MoveProgress&) { return ++looks != refuse_after; };
+    options.progress = [&](const sbgc::MoveProgress&) {
+      if (++looks + 127 == refuse_after) stop_beside();
+      return looks != refuse_after;
+    };
     sbgc::MoveTarget target;
     if (choice != 255) target.yaw = msg::Angle14(900);
     static_cast<void>(run(tasks::move_to(target, options)));
@@ -357,6 +411,70 @@ class Player {
     }
     const auto sensor = choice % 2 == 0 ? sbgc::Sensor::gyroscope : sbgc::Sensor::accelerometer;
     static_cast<void>(run(tasks::calibrate(sensor, options)));
+  }
+
+  void calibrate_otherwise() {
+    may_hold_anything_ = true;
+    const auto& all = sbgc::calibrations();
+    const auto& forms = all[input_.byte() % all.size()].forms;
+    const auto& form = forms[input_.byte() % forms.size()];
+    const sbgc::AnyMessage request = sbgc::find_message(form.info->name)->make();
+    static_cast<void>(run(tasks::run_calibration(request, {})));
+  }
+
+  void record() {
+    msg::BodeTestStartStopRequest request;
+    const std::uint8_t choice = input_.byte();
+    request.axis = static_cast<msg::BodeAxis>(choice % 4);
+    request.stimulus_type = static_cast<msg::BodeStimulus>(choice / 4 % 4);
+    request.system = static_cast<msg::BodeSystem>(choice / 16);
+    request.stimulus_gain = 10;
+    request.samples_num = input_.byte() * 8U;
+    const std::uint8_t refuse_after = input_.byte();
+    int looks = 0;
+    sbgc::BodeOptions options;
+    options.progress = [&](const sbgc::BodeProgress&) { return ++looks != refuse_after; };
+    const Result<sbgc::BodeRecording> recorded = run(tasks::record_bode(request, options));
+    if (recorded) require(recorded->input.size() == recorded->output.size());
+  }
+
+  void flash() {
+    const auto module = static_cast<msg::ModuleId>(input_.byte());
+    const std::size_t size = input_.byte() * 4U + (input_.byte() == 255 ? 1 : 0);
+    const std::uint8_t refuse_after = input_.byte();
+    int looks = 0;
+    const auto progress = [&](const sbgc::Progress&) { return ++looks != refuse_after; };
+    const auto loaded = run(tasks::flash_module(module, Bytes(size, 0xA5), progress));
+    if (!loaded || is_foul_) return;
+    require(client_.emulator().board().module_firmware().at(module) == Bytes(size, 0xA5));
+  }
+
+  void receive_stream() {
+    client_.client().set_line({.baud_rate = 115'200});  // which limits the streams
+    const std::chrono::milliseconds interval(input_.byte());
+    const auto request = sbgc::detail::stream_request<msg::DataStreamInterval>(interval);
+    const auto other = sbgc::detail::stream_request<msg::DataStreamInterval>(interval / 2);
+    const Duration time = sbgc::milliseconds(10) * input_.byte();
+    if (request && other) static_cast<void>(run(stream(*request, *other, time)));
+  }
+
+  /// Searches for the line settings, and connects, as at the beginning.
+  void connect() {
+    if (is_foul_) return;  // a forged identity is not that of the board
+    sbgc::PassiveClient& client = client_.client();
+    const auto before = client.identity().info;
+    std::optional<Result<void>> found;
+    std::optional<Result<void>> connected;
+    const auto set_line = [](const sbgc::LineSettings& line) { return line.baud_rate == 115'200; };
+    client.detect_line(set_line, [&](const Result<void>& result) { found = result; });
+    static_cast<void>(run(wait_for(recovery_time)));
+    line_.take_delivered();  // not all was delivered to the client
+    shown_.clear();
+    client.connect([&](const Result<void>& result) { connected = result; });
+    static_cast<void>(run(wait_for(recovery_time)));
+    require(found && connected && client.identity().info == before);
+    static_cast<void>(client.statistics());
+    static_cast<void>(client.identity().firmware_problem());
   }
 
   void motion() {
@@ -453,6 +571,9 @@ class Player {
       sbgc::RestoreOptions options;
       options.save_current = [](const sbgc::Backup&) { return Result<void>(); };
       options.timeout = timeout;
+      const std::vector<ParametersId> rest = left_alone(client_.identity(), backup);
+      require(rest.empty() || !to_text(rest).empty());
+      if (is_incomplete_) backup.missing = rest;
       return run(tasks::restore(std::move(backup), std::move(options)), most);
     }();
     if (!is_foul_ && !may_hold_anything_) learn(wanted, report);
@@ -462,6 +583,7 @@ class Player {
   sbgc::BoardIdentity board_of_backup() {
     sbgc::BoardIdentity board = client_.identity();
     const std::uint8_t choice = input_.byte();
+    is_incomplete_ = choice == 252;
     if (choice == 255) board.info.board_ver = msg::BoardVersion(31);
     if (choice == 254) board.info.firmware_ver = msg::FirmwareVersion(2560);
     if (choice == 253) board.info.frw_extra_id = 1;
@@ -518,8 +640,8 @@ class Player {
       const auto id = static_cast<std::uint8_t>(msg::RealtimeData3::command);
       if (!traffic.reaction && traffic.frame.id == id) ++sent;
     };
-    const auto samples = client_.delivery().subscribe(sbgc::detail::key_of<msg::RealtimeData3>,
-                                                      [&](const void*) { ++received; });
+    const auto samples = client_.client().subscribe<msg::RealtimeData3>(
+        [&](const msg::RealtimeData3&) { ++received; });
     msg::DataStreamInterval request;
     request.cmd_id = msg::RealtimeData3::command;
     request.interval_ms = msg::Milliseconds(20);
@@ -561,11 +683,15 @@ class Player {
   bool is_foul_;
   HostileLine line_;
   VirtualClient client_;
-  std::unique_ptr<sbgc::Subscription::Registration> frames_;
+  sbgc::Subscription notices_{};
+  sbgc::Subscription frames_{};
+  sbgc::Subscription angles_{};
   std::vector<HostileLine::Delivered> shown_{};
   ParameterSet original_{};
   std::map<std::string, std::vector<Bytes>> possible_{};  // the bodies that the board may hold
   bool is_power_cut_ = false;
+  bool is_incomplete_ = false;      // the backup
+  bool is_beside_ = false;          // a task that stop_beside() has started
   bool may_hold_anything_ = false;  // after tasks that write parameters in other ways
   unsigned cancel_after_ = 0;
 };

@@ -92,7 +92,7 @@ class HostileLine final : public test::VirtualLine {
       case 13:
       case 14:
       case 15:
-        if (is_foul_) return foul(fate % 16, way, std::move(bytes), frame, now);
+        if (is_foul_) return foul(fate, way, std::move(bytes), frame, now);
         break;
       default: break;
     }
@@ -100,13 +100,16 @@ class HostileLine final : public test::VirtualLine {
   }
 
   void foul(int fate, Way way, Bytes bytes, const Frame& frame, Instant now) {
-    switch (fate) {
+    switch (fate % 16) {
       case 11:  // twice
         arrive(way, bytes, now);
         return arrive(way, std::move(bytes), now + milliseconds(byte() % 201));
-      case 12: {  // a changed byte
+      case 12: {  // a changed byte, perhaps with checksums that hide it
         const std::size_t at = byte() % bytes.size();
         bytes[at] = static_cast<std::uint8_t>(bytes[at] ^ byte());
+        if (fate < 128) break;
+        const auto body = std::span(bytes).subspan(frame_header_size, frame.body.size());
+        static_cast<void>(write_frame(frame.framing, frame.id, body, bytes));
         break;
       }
       case 13: bytes.resize(byte() % bytes.size()); break;

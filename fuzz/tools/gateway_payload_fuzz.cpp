@@ -43,8 +43,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view topic = input.substr(0, end);
   const std::string_view text = end == std::string_view::npos ? "" : input.substr(end + 1);
   CommandPayload payload;
+  require(!is_key(text) || is_utf8(text));
   try {
     const auto command = topics.command(topic);
+    if (command && command->task == "stop") {
+      CommandPayload stop;
+      for (const std::string& what : read_stop_payload(text, topics, stop)) require(!what.empty());
+      require(stop.reply.empty() || topics.is_reply(stop.reply));
+    }
     read_payload(text, topics, payload);
     require(payload.key.size() <= longest_key);
     if (!command) return 0;

@@ -149,6 +149,7 @@ class VirtualClient {
   std::size_t pending() const { return client_.state().pending(); }
   detail::Delivery& delivery() { return client_.state().delivery(); }
   const BoardIdentity& identity() const { return client_.identity(); }
+  PassiveClient& client() noexcept { return client_; }
 
  private:
   using Way = VirtualLine::Way;

@@ -162,6 +162,7 @@ class Tail {
   }
   void assign(std::span<const std::uint8_t> bytes) noexcept {
     detail::resize(type_, at_, bytes.size());
+    if (bytes.empty()) return;  // memcpy() takes no null pointer
     std::memcpy(detail::moved(at_, type_.begin), bytes.data(), bytes.size());
   }
 
