@@ -163,6 +163,23 @@ TEST_F(Replay, OriginalTiming) {
   EXPECT_THAT(all(), ElementsAre());
 }
 
+TEST_F(Replay, AnswersFollowTheFirstRequest) {
+  session({{5ms, "a"}, {10ms, "b"}});
+  open(ReplayTiming::answers);
+  Pending reading(context, *port);
+  std::this_thread::sleep_for(20ms);
+  reading.expect_waiting();
+  write(context, *port, Bytes{'?'});
+  EXPECT_EQ(reading.end().size, 1U);
+  EXPECT_THAT(all(), ElementsAre("b"));
+}
+
+TEST_F(Replay, AnswersComeWithoutRequestsToo) {
+  session({{5ms, "a"}});
+  open(ReplayTiming::answers);
+  EXPECT_THAT(all(), ElementsAre("a"));
+}
+
 TEST_F(Replay, NoPauseBetweenSessions) {
   session({{0s, "a"}, {30ms, "b"}});
   // Changes the start to 1970: the header has the start at offset 12 and its checksum at 20.

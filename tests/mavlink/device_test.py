@@ -90,9 +90,9 @@ def test_directions(roll: int, pitch: int, yaw: int, autopilot: Station, gimbal:
 
 @pytest.mark.parametrize("flags", [FOLLOW, LOCK, 12, 16])
 def test_a_vehicle_that_turns(flags: int, tmp_path: Path) -> None:
-    """By 90 degrees, from the 4th second to the 10th. The board begins with yaw 0, the vehicle heads north-east."""
+    """By 90 degrees, from the 2nd second to the 6th. The board begins with yaw 0, the vehicle heads north-east."""
     motion = tmp_path / "turn.csv"
-    motion.write_text("0,0,0,0\n4,0,0,0\n10,0,0,90\n600,0,0,90\n")
+    motion.write_text("0,0,0,0\n2,0,0,0\n6,0,0,90\n600,0,0,90\n")
     with started(emulator=("--motion", str(motion)), north=45) as rig:
         autopilot, gimbal = rig.autopilot, rig.gimbal
         yaw, wanted = (60, 60 - 135) if flags & 16 else (15, 15)

@@ -283,6 +283,14 @@ def test_the_factory_defaults(tmp_path: Path) -> None:
         assert "-> 11\n" in differing.text and "axes.pitch.p: 14 -> 21" in differing.text
         assert compare("--yes", "--profile", "2").text.count("gyro_trust") == 0
         assert [body_of(board, profile) for profile in range(5)] == before
+
+
+def test_interrupted_factory_defaults_are_undone(tmp_path: Path) -> None:
+    # The line is so slow that the command does not end before its output is read.
+    with emulated_gimbal("--delay", "0.001:100") as gimbal:
+        board = gimbal.address
+        good(board, "set", "gyro_trust=11", "pitch.p=21", "--yes")
+        before = [body_of(board, profile) for profile in range(5)]
         comparing = Watched("params", "diff", "--defaults", "--yes", "-p", board, cwd=tmp_path)
         comparing.wait_for("CMD_USE_DEFAULTS")
         comparing.process.send_signal(signal.SIGINT)

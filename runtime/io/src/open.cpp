@@ -108,7 +108,7 @@ void parse_rest(std::string_view text, CaptureAddress& result) {
     if (word != "original" && word != "fast") {
       throw Malformed{quoted(value) + " is not a timing; timings are original and fast"};
     }
-    result.timing = word == "fast" ? ReplayTiming::fast : ReplayTiming::original;
+    result.timing = word == "fast" ? ReplayTiming::fast : ReplayTiming::answers;
     return true;
   };
   result.file = split_options(text, "timing=original|fast", take);

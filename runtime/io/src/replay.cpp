@@ -39,6 +39,9 @@ class Source {
   /// Returns the next piece; nullopt at the end.
   std::optional<Piece> next() { return raw_ ? next_raw() : next_record(); }
 
+  /// True if the capture, as far as it is read, begins with bytes to the board.
+  bool begins_with_request() const { return first_ == CaptureKind::to_board; }
+
  private:
   std::optional<Piece> next_raw() {
     if (block_.empty()) return std::nullopt;
@@ -67,6 +70,7 @@ class Source {
     // Times in a file are untrusted: they must not run backwards or exceed all bounds.
     constexpr CaptureTime bound = std::chrono::years(1);
     last_ = std::max(last_, std::min(session_begin_ + std::min(record->time, bound), bound));
+    if (record->kind != CaptureKind::note && !first_) first_ = record->kind;
     if (record->kind != CaptureKind::from_board || record->bytes.empty()) return std::nullopt;
     return Piece{last_, {record->bytes.begin(), record->bytes.end()}};
   }
@@ -88,6 +92,7 @@ class Source {
   CaptureParser parser_;
   CaptureTime session_begin_{};
   CaptureTime last_{};
+  std::optional<CaptureKind> first_{};  // of the records that are no notes
 };
 
 /// Outlives the transport while a read waits until it is due.
@@ -105,22 +110,20 @@ class Player : public std::enable_shared_from_this<Player> {
     if (given_ == piece_.bytes.size() && !advance()) {
       return complete(std::move(handler), Errc::end_of_stream, 0);
     }
-    if (!start_) start_ = Clock::now();
-    const auto due = *start_ + std::chrono::duration_cast<Clock::duration>(
-                                   std::chrono::duration<double>(piece_.time) / speed_);
-    if (timing_ == ReplayTiming::fast || due <= Clock::now()) {
+    if (!start_) {
+      const bool waits = timing_ == ReplayTiming::answers && source_.begins_with_request();
+      start_ = Clock::now() + (waits ? longest_wait : Clock::duration::zero());
+    }
+    if (timing_ == ReplayTiming::fast || due() <= Clock::now()) {
       return complete(std::move(handler), {}, take(into));
     }
-    timer_.expires_at(due);
-    timer_.async_wait(
-        [self = shared_from_this(), into, handler = std::move(handler)](std::error_code error) {
-          if (self->closed_) error = asio::error::operation_aborted;
-          handler(error, error ? 0 : self->take(into));
-        });
+    wait(into, std::move(handler));
   }
 
   void write(std::span<const std::uint8_t> bytes, Handler handler) {
     if (closed_) return complete(std::move(handler), asio::error::operation_aborted, 0);
+    start_ = std::min(start_.value_or(Clock::time_point::max()), Clock::now());
+    timer_.cancel();  // what waits may be due sooner
     complete(std::move(handler), {}, bytes.size());
   }
 
@@ -137,6 +140,21 @@ class Player : public std::enable_shared_from_this<Player> {
                [handler = std::move(handler), error, size] { handler(error, size); });
   }
 
+  Clock::time_point due() const {
+    return *start_ + std::chrono::duration_cast<Clock::duration>(
+                         std::chrono::duration<double>(piece_.time) / speed_);
+  }
+
+  void wait(std::span<std::uint8_t> into, Handler handler) {
+    timer_.expires_at(due());
+    timer_.async_wait(
+        [self = shared_from_this(), into, handler = std::move(handler)](std::error_code) mutable {
+          if (self->closed_) return handler(asio::error::operation_aborted, 0);
+          if (self->due() > Clock::now()) return self->wait(into, std::move(handler));
+          handler({}, self->take(into));
+        });
+  }
+
   bool advance() {
     auto next = source_.next();
     if (!next) return false;
@@ -151,6 +169,8 @@ class Player : public std::enable_shared_from_this<Player> {
     given_ += size;
     return size;
   }
+
+  static constexpr std::chrono::seconds longest_wait{1};  // for the first request
 
   ReplayTiming timing_;
   double speed_;

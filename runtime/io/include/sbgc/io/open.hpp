@@ -59,7 +59,7 @@ struct PtyAddress {
 struct CaptureAddress {
   static constexpr AddressKind kind{"capture", "capture:FILE"};
   std::string file;
-  ReplayTiming timing = ReplayTiming::original;
+  ReplayTiming timing = ReplayTiming::answers;
   bool operator==(const CaptureAddress&) const = default;
 };
 

@@ -13,12 +13,14 @@ namespace sbgc::io {
 /// When the bytes of a capture come.
 enum class ReplayTiming : std::uint8_t {
   original,  ///< at the recorded time after the first read; no pause between sessions
-  fast,      ///< as fast as it is read
+  answers,  ///< as above, but after the first write, for up to a second, if the capture begins with
+            ///< bytes to the board
+  fast,     ///< as fast as it is read
 };
 
 /// Opens a transport that delivers the bytes from the board in the recorded pieces and ignores
 /// writes. At the end of the file, or at a read error, reads fail with Errc::end_of_stream. A file
-/// that is not a capture is treated as raw bytes from the board. With ReplayTiming::original, the
+/// that is not a capture is treated as raw bytes from the board. Unless they come fast, the
 /// recorded times are divided by `speed`, which must be positive.
 OpenResult open_replay(const asio::any_io_executor& executor, const std::string& path,
                        ReplayTiming timing = ReplayTiming::original, double speed = 1);
