@@ -244,10 +244,10 @@ class Board::Core {
     const Reaction reaction = try_frame(port, request, now);
     const bool is_strange = reaction == Reaction::unknown || reaction == Reaction::malformed;
     if (is_strange && !roles::is_error({request.id, request.body})) {
-      refuse(port, request.id,
-             knows(request.id) ? msg::BoardErrorCode::cmd_size
-                               : msg::BoardErrorCode::unknown_command,
-             now);
+      refuse(
+          port, request.id,
+          knows(request.id) ? msg::BoardErrorCode::cmd_size : msg::BoardErrorCode::unknown_command,
+          now);
     }
     return reaction;
   }
