@@ -244,37 +244,46 @@ class Board::Core {
     const Reaction reaction = try_frame(port, request, now);
     const bool is_strange = reaction == Reaction::unknown || reaction == Reaction::malformed;
     if (is_strange && !roles::is_error({request.id, request.body})) {
-      RequestContext context(device.ports, device.options, port, request.id, Confirmed::never, now);
-      context.refuse(knows(request.id) ? msg::BoardErrorCode::cmd_size
-                                       : msg::BoardErrorCode::unknown_command);
+      refuse(
+          port, request.id,
+          knows(request.id) ? msg::BoardErrorCode::cmd_size : msg::BoardErrorCode::unknown_command,
+          now);
     }
     return reaction;
+  }
+
+  Reaction refuse(std::size_t port, std::uint8_t id, msg::BoardErrorCode reason, Instant now) {
+    RequestContext context(device.ports, device.options, port, id, Confirmed::never, now);
+    return context.refuse(reason);
+  }
+
+  /// True if a request is executed that is decoded with this status.
+  bool is_accepted(const Status& status, bool has_surplus) const {
+    if (has_surplus && device.options.is_strict) return false;
+    // Flags may say that even the largest form ends earlier.
+    return status || (has_surplus && status.code == Code::too_long);
   }
 
   /// Ignores bytes that the firmware does not know, as real boards do.
   Reaction try_frame(std::size_t port, const QueuedRequest& request, Instant now) {
     Reaction reaction = Reaction::unknown;
-    const std::size_t largest = largest_request(request.id, versions_of(device.options));
+    const Availability versions = versions_of(device.options);
+    const std::size_t largest = largest_request(request.id, versions);
     const bool has_surplus = request.body.size() > largest;
     const auto body =
         std::span<const std::uint8_t>(request.body).first(std::min(request.body.size(), largest));
     const Code code = select(Direction::to_board, request.id, body.size(), [&]<class M>(Type<M>) {
       if constexpr (M::direction != Direction::from_board) {
-        if (!is_supported<M>(versions_of(device.options))) return;
+        if (!is_supported<M>(versions)) return;
         M message{};
-        const Status status = decode(body, message);
-        // Flags may say that even the largest form ends earlier.
-        const bool is_whole = status || (has_surplus && status.code == Code::too_long);
-        if (!is_whole || (has_surplus && device.options.is_strict)) {
+        if (!is_accepted(decode(body, message), has_surplus)) {
           reaction = Reaction::malformed;
           return;
         }
         if constexpr (!accesses_parameters<M>) {
-          const bool has_unknown_values = limit_to(versions_of(device.options), message);
+          const bool has_unknown_values = limit_to(versions, message);
           if (has_unknown_values && !checks_values<M>) {
-            RequestContext context(device.ports, device.options, port, request.id, Confirmed::never,
-                                   now);
-            reaction = context.refuse(msg::BoardErrorCode::wrong_params);
+            reaction = refuse(port, request.id, msg::BoardErrorCode::wrong_params, now);
             return;
           }
         }

@@ -7,7 +7,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 #include <sbgc/framing.hpp>
 #include <sbgc/messages.hpp>
@@ -31,13 +30,10 @@ struct FirstOf<TypeList<First, Others...>> {
 
 using Body = std::array<std::uint8_t, max_body_size>;
 
-/// Writes a correlation field. Returns the body size that it requires.
-inline std::size_t put_field(const CorrelationField& field, Body& body) {
-  for (std::size_t i = 0; i < field.size; ++i) {
-    body[field.offset + i] = static_cast<std::uint8_t>(field.value >> (8 * i));
-  }
-  return field.size == 0 ? 0 : std::size_t{field.offset} + field.size;
-}
+/// Sends an answer, of which `body` has `size` bytes, with the correlation fields of the request.
+void answer_in(RequestContext& context, const ResponseForm& form, Body& body, std::size_t size);
+/// Sends the confirmations that the policy allows. They have the bytes of `body`, too.
+void confirm_by(RequestContext& context, const ResponsePolicy& policy, Body& body);
 
 }  // namespace detail
 
@@ -59,21 +55,11 @@ Reaction default_response(RequestContext& context, const Request& request) {
       using Answer = typename detail::FirstOf<ResponseMessages<Request>>::type;
       if (policy.responses.form_count != 0) {
         if (!is_supported<Answer>(context.versions())) return Reaction::executed;
-        const ResponseForm& form = policy.responses.forms[0];
         const WriteResult written = encode(Answer{}, body);
-        std::size_t size = std::max<std::size_t>(written.size, form.min_size);
-        for (const CorrelationField& field : form.correlation)
-          size = std::max(size, detail::put_field(field, body));
-        context.answer_body(form.id, std::span(body).first(size));
+        detail::answer_in(context, policy.responses.forms[0], body, written.size);
       }
     }
-    if (policy.responses.confirmed != Confirmed::never) {
-      std::size_t size = detail::put_field(policy.responses.confirmation, body);
-      size = std::max(size, detail::put_field(policy.result.field(), body));
-      // Offsets count from the id of the confirmed command.
-      const auto data = size > 1 ? std::span(body).subspan(1, size - 1) : std::span(body).first(0);
-      for (unsigned i = 0; i < policy.confirmations; ++i) static_cast<void>(context.confirm(data));
-    }
+    detail::confirm_by(context, policy, body);
     return Reaction::executed;
   }
 }

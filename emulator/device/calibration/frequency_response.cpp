@@ -83,7 +83,7 @@ double FrequencyResponse::stimulus(const CalibrationParts& parts, Run& run) cons
   const double share = static_cast<double>(run.samples) / run.request.samples_num;
   const double frequency = run.request.stimulus_type == msg::BodeStimulus::sine_sweep
                                ? from + (to - from) * share
-                               : from * std::pow(to / from, share);
+                               : from * std::exp(share * std::log(to / from));
   run.phase += frequency * AxisResponse::sample_time;
   return amplitude * std::sin(2 * std::numbers::pi * run.phase);
 }

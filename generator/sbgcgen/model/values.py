@@ -249,6 +249,11 @@ class Enum:
     at: Position = field(default=NOWHERE, compare=False, repr=False)
     success: EnumValue | None = None
 
+    @property
+    def names_errors(self) -> bool:
+        """Whether it names errors, with the prefix that the protocol has for them."""
+        return all(one == self.success or one.name.startswith("ERR_") for one in self.values)
+
 
 @dataclass(frozen=True)
 class Part:

@@ -1,5 +1,3 @@
-#include "field_types.hpp"
-
 #include <algorithm>
 #include <cstddef>
 #include <memory>
@@ -109,8 +107,18 @@ std::vector<FieldType> members_of(const StructTable& table, const void* initial)
 
 }  // namespace
 
-std::vector<FieldType> field_types(const MessageType& type) {
-  return members_of(*type.operations->table, type.make().address());
+}  // namespace sbgc::detail
+
+namespace sbgc {
+
+const std::vector<FieldType>& MessageType::fields() const {
+  const std::vector<FieldType>* made = field_types->load(std::memory_order_acquire);
+  if (made != nullptr) return *made;
+  auto own = std::make_unique<const std::vector<FieldType>>(
+      detail::members_of(*operations->table, make().address()));
+  // Another thread may have made them, too.
+  if (!field_types->compare_exchange_strong(made, own.get())) return *made;
+  return *own.release();
 }
 
-}  // namespace sbgc::detail
+}  // namespace sbgc

@@ -8,7 +8,6 @@
 #include <sbgc/meta/all.hpp>
 #include <sbgc/surplus.hpp>
 
-#include "field_types.hpp"
 #include "fixed_codec.hpp"
 
 namespace sbgc {
@@ -69,10 +68,7 @@ template <class M>
 constexpr detail::AnyOperations operations = operations_of<M>();
 
 template <class M>
-const std::vector<FieldType>& fields_of() {
-  static const std::vector<FieldType> fields = detail::field_types(detail::message_type<M>());
-  return fields;
-}
+constinit detail::FieldTypes fields_of{};
 
 template <class M>
 constexpr MessageType type_of() {
@@ -83,8 +79,8 @@ constexpr MessageType type_of() {
   return {.info = &Meta<M>::info,
           .form = M::form,
           .memory = sizeof(T),
-          .fields = fields_of<M>,
-          .operations = &operations<M>};
+          .operations = &operations<M>,
+          .field_types = &fields_of<M>};
 }
 
 template <class M>

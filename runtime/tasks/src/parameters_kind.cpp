@@ -128,9 +128,9 @@ Task<Result<std::vector<std::uint8_t>>> ParametersKind::read(std::uint8_t copy,
                           fmt::format("this board cannot report {}", name())};
   }
   AnyMessage request = reader->make();
-  for (const FieldType& field : reader->fields()) {
-    if (field.info->role != FieldRole::copy) continue;
-    request.assign(field.name, fmt::format("raw:{}", copy), false);
+  const StructTable& table = *reader->operations->table;
+  for (const FieldInfo& field : std::span(table.fields, table.slots.size())) {
+    if (field.role == FieldRole::copy) request.set(field.name, std::int64_t{copy});
   }
   const auto answer = co_await tasks::call(request, options);
   if (!answer) co_return answer.error();

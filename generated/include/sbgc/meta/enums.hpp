@@ -1392,17 +1392,17 @@ struct EnumMeta<msg::TransparentDevice> {
 template <>
 struct EnumMeta<msg::FileError> {
   static constexpr ValueInfo values[] = {
-      {"NO_ERROR", 0, "Success."},
-      {"ERR_EEPROM_FAULT", 1, "The memory chip does not respond."},
-      {"ERR_FILE_NOT_FOUND", 2, "No file has this id."},
-      {"ERR_FAT", 3, "The file table is damaged."},
-      {"ERR_NO_FREE_SPACE", 4, "The memory is full."},
-      {"ERR_FAT_IS_FULL", 5, "The file table is full."},
-      {"ERR_FILE_SIZE", 6, "The size is invalid."},
-      {"ERR_CRC", 7, "Checksum mismatch."},
-      {"ERR_LIMIT_REACHED", 8, "The file system reached a limit."},
-      {"ERR_FILE_CORRUPTED", 9, "The file is damaged."},
-      {"ERR_WRONG_PARAMS", 10, "A value of the request is invalid."},
+      {"NO_ERROR", 0, Explanation{"Success."}},
+      {"ERR_EEPROM_FAULT", 1, Explanation{"The memory chip does not respond."}},
+      {"ERR_FILE_NOT_FOUND", 2, Explanation{"No file has this id."}},
+      {"ERR_FAT", 3, Explanation{"The file table is damaged."}},
+      {"ERR_NO_FREE_SPACE", 4, Explanation{"The memory is full."}},
+      {"ERR_FAT_IS_FULL", 5, Explanation{"The file table is full."}},
+      {"ERR_FILE_SIZE", 6, Explanation{"The size is invalid."}},
+      {"ERR_CRC", 7, Explanation{"Checksum mismatch."}},
+      {"ERR_LIMIT_REACHED", 8, Explanation{"The file system reached a limit."}},
+      {"ERR_FILE_CORRUPTED", 9, Explanation{"The file is damaged."}},
+      {"ERR_WRONG_PARAMS", 10, Explanation{"A value of the request is invalid."}},
   };
   static constexpr EnumInfo info{"FileError", values, false};
 };
@@ -1803,18 +1803,18 @@ struct EnumMeta<msg::ProfileFlags3Bit> {
 template <>
 struct EnumMeta<msg::SystemError> {
   static constexpr ValueInfo values[] = {
-      {"ERR_NO_SENSOR", 1, "The IMU sensor does not respond."},
-      {"ERR_CALIB_ACC", 2, "The accelerometer is not calibrated."},
-      {"ERR_SET_POWER", 4, "The motor power is not set."},
-      {"ERR_CALIB_POLES", 8, "The motor poles are not calibrated."},
-      {"ERR_PROTECTION", 16, "The driver protection tripped."},
-      {"ERR_SERIAL", 32, "Errors on the serial line."},
-      {"ERR_LOW_BAT1", 64, "The battery is below the alarm threshold."},
-      {"ERR_LOW_BAT2", 128, "The battery is below the motor stop threshold."},
-      {"ERR_GUI_VERSION", 256, "The host software does not match the firmware."},
-      {"ERR_MISS_STEPS", 512, "A motor lost steps."},
-      {"ERR_SYSTEM", 1024, "System error."},
-      {"ERR_EMERGENCY_STOP", 2048, "Emergency stop; SYSTEM_SUB_ERROR gives the reason."},
+      {"ERR_NO_SENSOR", 1, Explanation{"The IMU sensor does not respond."}},
+      {"ERR_CALIB_ACC", 2, Explanation{"The accelerometer is not calibrated."}},
+      {"ERR_SET_POWER", 4, Explanation{"The motor power is not set."}},
+      {"ERR_CALIB_POLES", 8, Explanation{"The motor poles are not calibrated."}},
+      {"ERR_PROTECTION", 16, Explanation{"The driver protection tripped."}},
+      {"ERR_SERIAL", 32, Explanation{"Errors on the serial line."}},
+      {"ERR_LOW_BAT1", 64, Explanation{"The battery is below the alarm threshold."}},
+      {"ERR_LOW_BAT2", 128, Explanation{"The battery is below the motor stop threshold."}},
+      {"ERR_GUI_VERSION", 256, Explanation{"The host software does not match the firmware."}},
+      {"ERR_MISS_STEPS", 512, Explanation{"A motor lost steps."}},
+      {"ERR_SYSTEM", 1024, Explanation{"System error."}},
+      {"ERR_EMERGENCY_STOP", 2048, Explanation{"Emergency stop; SYSTEM_SUB_ERROR gives the reason."}},
   };
   static constexpr EnumInfo info{"SystemErrors", values, true};
 };

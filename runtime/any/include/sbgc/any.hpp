@@ -10,6 +10,7 @@
 /// text allocate.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -65,6 +66,9 @@ struct AnyOperations {
   bool takes_surplus;         ///< the tail of the table is surplus
 };
 
+/// The fields of a message, made when they are first needed; null before.
+using FieldTypes = std::atomic<const std::vector<FieldType>*>;
+
 }  // namespace detail
 
 /// The type of a message: one body layout of a command. There is one object for each.
@@ -73,10 +77,11 @@ struct MessageType {
   Form form{};                        ///< how it is told from others with its id
   std::size_t memory{};  ///< the size of the message in memory, with the surplus it may have
 
-  /// Returns the fields in wire order.
-  const std::vector<FieldType>& (*fields)() = nullptr;
   const detail::AnyOperations* operations = nullptr;  ///< for the library itself
+  detail::FieldTypes* field_types = nullptr;          ///< for the library itself
 
+  /// Returns the fields in wire order.
+  const std::vector<FieldType>& fields() const;
   /// True if hosts send it.
   bool is_sent_to_board() const noexcept { return info->direction != Direction::from_board; }
   /// Returns a message whose fields are 0, empty or absent, unless the specification has a default.

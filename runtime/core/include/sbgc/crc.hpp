@@ -11,7 +11,8 @@
 
 namespace sbgc {
 
-/// The table with which a cyclic redundancy check is computed: more memory, fewer steps.
+/// The table with which a cyclic redundancy check is computed: more memory, fewer steps. A program
+/// that is compiled with SBGC_SMALL_CRC_TABLES, all of it, has only `nibbles`.
 enum class CrcTable : std::uint8_t {
   nibbles,  ///< 32 bytes; two steps for each byte
   bytes,    ///< 512 bytes; a step for each byte
@@ -106,7 +107,7 @@ class Crc {
     }
     for (; bytes != end; ++bytes) {
       const std::uint8_t byte = parameters.reflect_in ? *bytes : detail::reversed(*bytes);
-      if constexpr (table == CrcTable::nibbles) {
+      if constexpr (uses_nibbles) {
         constexpr auto& of = detail::crc_nibbles<polynomial>;
         value ^= byte;
         value = value >> 4 ^ of[value & 15];
@@ -128,8 +129,13 @@ class Crc {
 
  private:
   static constexpr Word polynomial = detail::reversed(parameters.polynomial);
+#if defined(SBGC_SMALL_CRC_TABLES)
+  static constexpr bool uses_nibbles = true;
+#else
+  static constexpr bool uses_nibbles = table == CrcTable::nibbles;
+#endif
   static constexpr bool uses_slices =
-      table == CrcTable::slices && sizeof(Word) == 2 && parameters.reflect_in;
+      !uses_nibbles && table == CrcTable::slices && sizeof(Word) == 2 && parameters.reflect_in;
 
   Word register_ = detail::reversed(parameters.initial);
 };

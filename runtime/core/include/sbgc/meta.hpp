@@ -14,6 +14,34 @@
 
 namespace sbgc {
 
+/// The description of an error, which messages about it have.
+struct Explanation {
+  const char* text = "";
+
+  constexpr operator const char*() const noexcept { return text; }
+};
+
+// NOLINTBEGIN(google-explicit-constructor)
+
+/// A text about a part of the protocol, for people. A program that is compiled with
+/// SBGC_NO_DESCRIPTIONS, all of it, is smaller: it has "" in place of these texts.
+#if defined(SBGC_NO_DESCRIPTIONS)
+struct Description {
+  constexpr Description(const char* /*text*/) noexcept {}
+  constexpr operator const char*() const noexcept { return ""; }
+};
+/// As above, but with the texts of explanations.
+struct DescriptionOrExplanation : Explanation {
+  constexpr DescriptionOrExplanation(const char* /*text*/) noexcept {}
+  constexpr DescriptionOrExplanation(Explanation explanation) noexcept : Explanation(explanation) {}
+};
+#else
+using Description = const char*;
+using DescriptionOrExplanation = const char*;
+#endif
+
+// NOLINTEND(google-explicit-constructor)
+
 /// A sentinel: a raw value with a meaning of its own.
 struct Special {
   std::int64_t value{};  ///< the raw value
@@ -24,10 +52,10 @@ struct Special {
 struct ValueInfo {
   const char* name = "";
   std::int64_t value{};  ///< as on the wire
-  const char* summary = "";
+  DescriptionOrExplanation summary = "";
   Availability since{};       ///< the versions that know it
   bool unconfirmed{};         ///< from a single source, or contradicted by another
-  const char* saved_as = "";  ///< the name of a flag in files of the vendor's program
+  Description saved_as = "";  ///< the name of a flag in files of the vendor's program
 };
 
 /// Something that only some boards have: a flag of what they report, and its mask in an
@@ -57,7 +85,7 @@ struct PartInfo {
   bool is_signed{};           ///< two's complement
   const EnumInfo* values{};   ///< the names of its values; null if it is a number
   const UnitInfo* unit{};     ///< of the number
-  const char* saved_as = "";  ///< its name in files of the vendor's program
+  Description saved_as = "";  ///< its name in files of the vendor's program
 };
 
 /// A packed value; `display` contains {part} for each part, or is empty. Values from `later_from`
@@ -111,7 +139,7 @@ struct LaterMeaning {
   const EnumInfo* names{};
   const PackedInfo* packed{};
   const Range* range{};  ///< null: that of the field
-  const char* summary = "";
+  Description summary = "";
 };
 
 /// Returns what a field means on a board with these versions; null if that is its usual meaning,
@@ -147,7 +175,7 @@ enum class Directed : std::uint8_t {
 struct VariableInfo {
   msg::VariableId id{};  ///< on the wire
   const char* name = "";
-  const char* summary = "";
+  Description summary = "";
   Range range{};  ///< in the unit
   UnitInfo unit{};
   Directed directed{};                    ///< which way it counts, if it has one
@@ -185,8 +213,8 @@ inline constexpr const char* hidden_text = "(hidden)";
 /// One member of a message or struct.
 struct FieldInfo {
   const char* name = "";
-  const char* spec_name = "";  ///< the name in the specification; {AXIS} stands for the index
-  const char* summary = "";
+  Description spec_name = "";  ///< the name in the specification; {AXIS} stands for the index
+  Description summary = "";
   const UnitInfo* unit{};              ///< of a quantity
   const Range* range{};                ///< of the raw value; null: any
   std::span<const Special> special{};  ///< values that mean something else than a number
@@ -201,7 +229,7 @@ struct FieldInfo {
   bool secret{};             ///< such as a password: text and JSON hide it
   /// The name in files of the vendor's program; {n} stands for the number of the element. "": as
   /// `spec_name`, for letters and digits; null: it has no certain one.
-  const char* saved_as = "";
+  Description saved_as = "";
   SavedIn saved_in{};                     ///< the unit in such a file
   Availability since{};                   ///< the versions that have it
   bool unconfirmed{};                     ///< from a single source, or contradicted by another
@@ -216,7 +244,7 @@ using Effects = Flags<Effect>;
 struct MessageInfo {
   const char* name = "";
   const char* command = "";  ///< such as "CMD_CONTROL"
-  const char* summary = "";
+  Description summary = "";
   std::uint8_t id{};
   Direction direction{};
   std::size_t min_size{};                   ///< of the body, in bytes
@@ -227,10 +255,10 @@ struct MessageInfo {
   Availability until{};  ///< these versions and later ones no longer accept it; 0: all do
   /// Names of the response messages. response_policy() returns the rest of the policy.
   std::span<const char* const> answers{};
-  const char* stores = "";  ///< the message whose settings it writes, or ""
+  Description stores = "";  ///< the message whose settings it writes, or ""
   Effects effects{};        ///< empty for a message from the board
   /// The preparation before the request is sent, such as how to hold the camera; "" if none.
-  const char* preparation = "";
+  Description preparation = "";
 
   /// True if text and JSON hide a part of it, such as a password.
   constexpr bool has_secret() const noexcept { return secret_from != max_body_size; }

@@ -11,6 +11,21 @@ namespace sbgc::detail {
 /// The coefficient of x^0 is the highest bit.
 inline constexpr std::uint32_t crc32_polynomial = 0xEDB88320;
 
+#if defined(SBGC_SMALL_CRC_TABLES)
+
+constexpr std::uint32_t crc32(std::span<const std::uint8_t> bytes) noexcept {
+  constexpr const auto& of = crc_nibbles<crc32_polynomial>;
+  std::uint32_t value = 0xFFFFFFFF;
+  for (const std::uint8_t byte : bytes) {
+    value ^= byte;
+    value = value >> 4 ^ of[value & 15];
+    value = value >> 4 ^ of[value & 15];
+  }
+  return ~value;
+}
+
+#else
+
 inline constexpr auto& crc32_table = crc_table<crc32_polynomial, 8>[0];
 
 constexpr std::uint32_t crc32(std::span<const std::uint8_t> bytes) noexcept {
@@ -26,5 +41,7 @@ constexpr std::uint32_t crc32(std::span<const std::uint8_t> bytes) noexcept {
   for (const std::uint8_t byte : bytes) value = (value >> 8) ^ of[0][(value ^ byte) & 0xFF];
   return ~value;
 }
+
+#endif
 
 }  // namespace sbgc::detail
