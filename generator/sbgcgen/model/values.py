@@ -235,7 +235,8 @@ class EnumValue:
 class Enum:
     """An enum, or (kind "flags") a set of bits whose values are masks.
 
-    `success` is the value of a result code that means success.
+    `success` is the value of a result code that means success. `are_errors`: programs quote the
+    summaries of the values.
     """
 
     name: str
@@ -248,11 +249,7 @@ class Enum:
     values: tuple[EnumValue, ...]
     at: Position = field(default=NOWHERE, compare=False, repr=False)
     success: EnumValue | None = None
-
-    @property
-    def names_errors(self) -> bool:
-        """Whether it names errors, with the prefix that the protocol has for them."""
-        return all(one == self.success or one.name.startswith("ERR_") for one in self.values)
+    are_errors: bool = False
 
 
 @dataclass(frozen=True)

@@ -221,6 +221,7 @@ class TypeResolver(Entries):
             values=tuple(values),
             at=at,
             success=self._success(name, node, values),
+            are_errors=bool(node.get("errors") or node.get("success")),
         )
 
     def _success(self, name: str, node: Map, values: list[EnumValue]) -> EnumValue | None:

@@ -255,7 +255,7 @@ struct MessageInfo {
   Availability until{};  ///< these versions and later ones no longer accept it; 0: all do
   /// Names of the response messages. response_policy() returns the rest of the policy.
   std::span<const char* const> answers{};
-  Description stores = "";  ///< the message whose settings it writes, or ""
+  const char* stores = "";  ///< the message whose settings it writes, or ""
   Effects effects{};        ///< empty for a message from the board
   /// The preparation before the request is sent, such as how to hold the camera; "" if none.
   Description preparation = "";
