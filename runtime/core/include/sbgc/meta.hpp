@@ -30,13 +30,14 @@ struct Description {
   constexpr Description(const char* /*text*/) noexcept {}
   constexpr operator const char*() const noexcept { return ""; }
 };
-/// As above, but with the texts of explanations.
+/// As above, but it has the texts of explanations.
 struct DescriptionOrExplanation : Explanation {
   constexpr DescriptionOrExplanation(const char* /*text*/) noexcept {}
   constexpr DescriptionOrExplanation(Explanation explanation) noexcept : Explanation(explanation) {}
 };
 #else
 using Description = const char*;
+/// A description, or the explanation of an error.
 using DescriptionOrExplanation = const char*;
 #endif
 
