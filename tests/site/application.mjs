@@ -15,6 +15,9 @@ const spy = () => {
 export const told = (page, ...kinds) =>
   page.evaluate((some) => globalThis.told.filter(({ kind }) => some.includes(kind)), kinds);
 
+export const toldAtLeast = (page, kind, count) =>
+  page.waitForFunction(([wanted, most]) => globalThis.told.filter((one) => one.kind === wanted).length >= most, [kind, count]);
+
 export const button = (page, name) => page.getByRole("button", { name, exact: true });
 export const outcome = (page, text) => page.locator(".outcome", { hasText: text }).waitFor();
 

@@ -33,6 +33,10 @@ ANY = {0, 130, -signal.SIGHUP, -signal.SIGTERM, 128 + signal.SIGHUP, 128 + signa
 DONE = {0, 130}
 
 
+# The line is so slow that a command does not end before the terminal does.
+SLOW = ("--delay", "0.001:100")
+
+
 @dataclass(frozen=True)
 class Case:
     arguments: str
@@ -40,6 +44,7 @@ class Case:
     stands: bool = False  # the camera, before the command has ended
     keeps: bool = False  # the parameters are those from before
     firmware: str = "2.70b0"
+    options: tuple[str, ...] = ()  # of the emulated gimbal
 
 
 CASES = {
@@ -48,7 +53,7 @@ CASES = {
     "jog": Case("", {130}, stands=True),
     "bode": Case("yaw --gain 1000 --from 6 --to 200 --table", {130}, stands=True),
     "tune": Case("pitch", {130}, stands=True, keeps=True),
-    "params diff": Case("--defaults", {130}, keeps=True),
+    "params diff": Case("--defaults", {130}, keeps=True, options=SLOW),
     "params restore": Case("{folder}/backup --save-to {folder}/saved", DONE),
     "params reset": Case("--profile 2 --save-to {folder}/saved", DONE),
     "params set": Case("gyro_trust=12", DONE),
@@ -201,7 +206,7 @@ def test_the_terminal_closes(
     case = CASES[name]
     monkeypatch.chdir(tmp_path)
     changes = Changes()
-    board = ("--board", "3.6", "--firmware", case.firmware)
+    board = ("--board", "3.6", "--firmware", case.firmware, *case.options)
     with emulated_gimbal(*board) as gimbal, relay_to(gimbal.address, changes.look) as address:
         prepare(name, gimbal, tmp_path)
         before = parameters(gimbal, tmp_path / "before") if case.keeps else None
