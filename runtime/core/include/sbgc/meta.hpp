@@ -14,14 +14,14 @@
 
 namespace sbgc {
 
+// NOLINTBEGIN(google-explicit-constructor)
+
 /// The description of an error, which messages about it have.
 struct Explanation {
   const char* text = "";
 
   constexpr operator const char*() const noexcept { return text; }
 };
-
-// NOLINTBEGIN(google-explicit-constructor)
 
 /// A text about a part of the protocol, for people. A program that is compiled with
 /// SBGC_NO_DESCRIPTIONS, all of it, is smaller: it has "" in place of these texts.
