@@ -71,11 +71,10 @@ class VirtualClient {
  public:
   explicit VirtualClient(const emulator::EmulatorOptions& options = {},
                          emulator::Memory memory = {}, VirtualLine* line = nullptr,
-                         ConnectOptions client = {})
-      : VirtualClient(std::make_shared<VirtualBoard>(options, std::move(memory)), line,
-                      std::move(client)) {}
+                         const ConnectOptions& client = {})
+      : VirtualClient(std::make_shared<VirtualBoard>(options, std::move(memory)), line, client) {}
   explicit VirtualClient(std::shared_ptr<VirtualBoard> board, VirtualLine* line = nullptr,
-                         ConnectOptions client = {})
+                         const ConnectOptions& client = {})
       : board_(std::move(board)),
         line_(line != nullptr ? *line : perfect_line_),
         port_(board_->emulator.connect(true, board_->now).value()),
