@@ -17,17 +17,8 @@ import random
 from collections.abc import Iterator
 from typing import Any, Optional
 
-from sbgcgen.model import (
-    Announced,
-    Blob,
-    Enum,
-    Field,
-    Layout,
-    Message,
-    Settings,
-    Struct,
-    copy_field,
-)
+from sbgcgen.model import Announced, Blob, Enum, Field, Layout, Message, Settings, Struct
+from sbgcgen.model import copy_field
 from sbgcgen.oracle.codec import LISTS, CodecError, Fields, is_bytes, scalar_of
 from sbgcgen.oracle.compose import Choice, Places, compose, full_context, variable_parts
 from sbgcgen.oracle.decoding import decode

@@ -16,19 +16,8 @@ from typing import Any
 from sbgcgen.compat.changes import COMPATIBLE, MEANING, SOURCE, WIRE, Changes, Pair
 from sbgcgen.compat.types import compare_parts, compare_unit, compare_values
 from sbgcgen.spec.resolve.leaves import expand_name
-from sbgcgen.model import (
-    scalar_of,
-    Blob,
-    Condition,
-    Enum,
-    Field,
-    Later,
-    Packed,
-    Part,
-    Quantity,
-    Struct,
-    Type,
-)
+from sbgcgen.model import scalar_of, Blob, Condition, Enum, Field, Later, Packed, Part, Quantity
+from sbgcgen.model import Struct, Type
 
 Fields = tuple[Field, ...]
 Place = tuple[Any, ...]

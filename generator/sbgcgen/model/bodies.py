@@ -12,19 +12,8 @@ from typing import Any, Union
 from sbgcgen.model.conditions import Condition
 from sbgcgen.model.packed_text import part_of
 from sbgcgen.model.position import NOWHERE, Position
-from sbgcgen.model.values import (
-    SCALARS,
-    Alias,
-    Availability,
-    AxisDirection,
-    Deprecation,
-    Enum,
-    EnumValue,
-    Packed,
-    Part,
-    Quantity,
-    Scalar,
-)
+from sbgcgen.model.values import SCALARS, Alias, Availability, AxisDirection, Deprecation, Enum
+from sbgcgen.model.values import EnumValue, Packed, Part, Quantity, Scalar
 
 
 @dataclass(frozen=True)

@@ -13,15 +13,8 @@ from sbgcgen.model.framing import Framing
 from sbgcgen.model.messages import Command, Family, Message, Settings
 from sbgcgen.model.names import KNOWN_FORMS
 from sbgcgen.model.position import NOWHERE, Position
-from sbgcgen.model.values import (
-    AxisDirection,
-    Enum,
-    Feature,
-    Identifier,
-    Packed,
-    Quantity,
-    Versions,
-)
+from sbgcgen.model.values import AxisDirection, Enum, Feature, Identifier, Packed, Quantity
+from sbgcgen.model.values import Versions
 from sbgcgen.model.variables import Variable
 
 

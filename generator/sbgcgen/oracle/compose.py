@@ -6,20 +6,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Any, Optional
 
-from sbgcgen.model import (
-    SCALARS,
-    Announced,
-    Blob,
-    Condition,
-    Context,
-    Field,
-    Message,
-    Struct,
-    Type,
-    conditions,
-    element_of,
-    satisfying,
-)
+from sbgcgen.model import SCALARS, Announced, Blob, Condition, Context, Field, Message, Struct, Type
+from sbgcgen.model import conditions, element_of, satisfying
 from sbgcgen.oracle.codec import LISTS, CodecError, Fields, is_bytes, keys_of, scalar_of
 from sbgcgen.oracle.edges import Edge, counting, edges, named_numbers, with_number
 from sbgcgen.oracle.encoding import counter_of, encode

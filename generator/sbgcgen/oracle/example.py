@@ -10,22 +10,8 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
-from sbgcgen.model import (
-    SCALARS,
-    Announced,
-    Blob,
-    Enum,
-    Field,
-    Layout,
-    Message,
-    Packed,
-    Part,
-    Quantity,
-    Scalar,
-    Struct,
-    Type,
-    value_at,
-)
+from sbgcgen.model import SCALARS, Announced, Blob, Enum, Field, Layout, Message, Packed, Part
+from sbgcgen.model import Quantity, Scalar, Struct, Type, value_at
 from sbgcgen.model.packed_text import part_of, text_of
 from sbgcgen.oracle.json_values import plain
 from sbgcgen.oracle.codec import LISTS, Fields, is_bytes, keys_of, scalar_of

@@ -11,18 +11,9 @@ from typing import Any, Optional
 
 from sbgcgen.model import Blob, Condition, Field, Message, Struct, conditions, satisfying, value_at
 from sbgcgen.oracle.codec import CodecError, Fields
-from sbgcgen.oracle.compose import (
-    Choice,
-    Places,
-    all_types,
-    compose,
-    counter_size,
-    documented_length,
-    first_that_fits,
-    full_context,
-    typical_context,
-    variable_parts,
-)
+from sbgcgen.oracle.compose import Choice, Places, all_types, compose, counter_size
+from sbgcgen.oracle.compose import documented_length, first_that_fits, full_context, typical_context
+from sbgcgen.oracle.compose import variable_parts
 from sbgcgen.oracle.decoding import decode
 from sbgcgen.oracle.encoding import encode
 from sbgcgen.oracle.room import has_room

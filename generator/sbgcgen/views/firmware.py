@@ -6,18 +6,8 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
-from sbgcgen.model import (
-    NOWHERE,
-    Availability,
-    Command,
-    Enum,
-    EnumValue,
-    Framing,
-    Later,
-    Layout,
-    Message,
-    Variable,
-)
+from sbgcgen.model import NOWHERE, Availability, Command, Enum, EnumValue, Framing, Later, Layout
+from sbgcgen.model import Message, Variable
 from sbgcgen.model.packed_text import part_of, raw_of, text_of
 from sbgcgen.views.rows import Row, rows_of
 

@@ -7,22 +7,8 @@ from collections.abc import Callable, Iterable
 from fractions import Fraction
 from typing import Any
 
-from sbgcgen.model import (
-    Announced,
-    Availability,
-    AxisDirection,
-    Blob,
-    Enum,
-    Field,
-    Leaf,
-    Message,
-    Packed,
-    Quantity,
-    Scalar,
-    StopValue,
-    Struct,
-    field_rules,
-)
+from sbgcgen.model import Announced, Availability, AxisDirection, Blob, Enum, Field, Leaf, Message
+from sbgcgen.model import Packed, Quantity, Scalar, StopValue, Struct, field_rules
 from sbgcgen.model.names import slug
 from sbgcgen.model.export import export
 from sbgcgen.views.framing import crc_text, frame_parts, sums_in

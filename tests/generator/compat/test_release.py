@@ -11,17 +11,8 @@ from sbgcgen import library
 from sbgcgen.build import load_layout
 from sbgcgen.cli import main
 from sbgcgen.compat.compare import compare
-from sbgcgen.compat.release import (
-    NAME,
-    Release,
-    Step,
-    Version,
-    fingerprint_of,
-    lowest_version,
-    parse,
-    read,
-    write,
-)
+from sbgcgen.compat.release import NAME, Release, Step, Version, fingerprint_of, lowest_version
+from sbgcgen.compat.release import parse, read, write
 from support import PROJECT, write_spec
 
 Capture = pytest.CaptureFixture[str]

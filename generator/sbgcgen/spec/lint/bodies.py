@@ -5,20 +5,8 @@ from __future__ import annotations
 import re
 
 from sbgcgen.spec.diagnostics import Diagnostics
-from sbgcgen.model import (
-    Announced,
-    Blob,
-    Context,
-    Enum,
-    Field,
-    Layout,
-    Message,
-    Packed,
-    Part,
-    Quantity,
-    Scalar,
-    Struct,
-)
+from sbgcgen.model import Announced, Blob, Context, Enum, Field, Layout, Message, Packed, Part
+from sbgcgen.model import Quantity, Scalar, Struct
 from sbgcgen.model.names import is_name, parse_lines
 from sbgcgen.spec.resolve.sizes import size_of
 

@@ -2,25 +2,9 @@
 
 from __future__ import annotations
 
-from sbgcgen.model import (
-    Announced,
-    Blob,
-    Command,
-    Enum,
-    Field,
-    Layout,
-    Message,
-    Packed,
-    Quantity,
-    Scalar,
-    Settings,
-    Struct,
-    Variable,
-    conditions,
-    constants,
-    copy_field,
-    scalar_of,
-)
+from sbgcgen.model import Announced, Blob, Command, Enum, Field, Layout, Message, Packed, Quantity
+from sbgcgen.model import Scalar, Settings, Struct, Variable, conditions, constants, copy_field
+from sbgcgen.model import scalar_of
 from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
 from sbgcgen.spec.load import Spec, directions_of
 

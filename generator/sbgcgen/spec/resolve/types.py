@@ -8,18 +8,8 @@ from fractions import Fraction
 from math import log
 from typing import Any
 
-from sbgcgen.model import (
-    COMMAND_IDS,
-    SCALARS,
-    Enum,
-    EnumValue,
-    Former,
-    Packed,
-    Part,
-    Position,
-    Quantity,
-    Scalar,
-)
+from sbgcgen.model import COMMAND_IDS, SCALARS, Enum, EnumValue, Former, Packed, Part, Position
+from sbgcgen.model import Quantity, Scalar
 from sbgcgen.model.names import singular, snake_case
 from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
 from sbgcgen.spec.load import Map, Spec, directions_of

@@ -7,17 +7,8 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
-from sbgcgen.model import (
-    SCALARS,
-    Enum,
-    Leaf,
-    Message,
-    Position,
-    Quantity,
-    Scalar,
-    Variable,
-    VariableSetting,
-)
+from sbgcgen.model import SCALARS, Enum, Leaf, Message, Position, Quantity, Scalar, Variable
+from sbgcgen.model import VariableSetting
 from sbgcgen.model.names import snake_case
 from sbgcgen.spec.diagnostics import Diagnostics, Mistake, did_you_mean
 from sbgcgen.spec.load import List, Map

@@ -10,19 +10,8 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
-from sbgcgen.model import (
-    Announced,
-    Blob,
-    Enum,
-    EnumValue,
-    Field,
-    Packed,
-    Part,
-    Quantity,
-    Scalar,
-    Struct,
-    Type,
-)
+from sbgcgen.model import Announced, Blob, Enum, EnumValue, Field, Packed, Part, Quantity, Scalar
+from sbgcgen.model import Struct, Type
 from sbgcgen.model.packed_text import part_of
 from sbgcgen.oracle.codec import Fields, is_bytes, keys_of
 from sbgcgen.oracle.example import Example, Piece

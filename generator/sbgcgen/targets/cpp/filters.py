@@ -7,16 +7,8 @@ import textwrap
 from collections.abc import Callable, Iterable
 from typing import Any
 
-from sbgcgen.model import (
-    Field,
-    Message,
-    Quantity,
-    Scalar,
-    constants,
-    copy_field,
-    largest_forms,
-    scalar_of,
-)
+from sbgcgen.model import Field, Message, Quantity, Scalar, constants, copy_field, largest_forms
+from sbgcgen.model import scalar_of
 from sbgcgen.targets.cpp.flag_unit import flag_units
 from sbgcgen.views.code import unit_name
 

@@ -10,14 +10,8 @@ from typing import Any, Union
 from sbgcgen.model import Announced, Blob, Enum, Field, Packed, Quantity, Scalar, Struct, Type
 from sbgcgen.oracle.codec import Fields, is_bytes, keys_of
 from sbgcgen.oracle.example import Example, Piece
-from sbgcgen.views.code import (
-    attribute_name,
-    decimal,
-    enum_name,
-    flags_of,
-    parts_that_make,
-    value_named,
-)
+from sbgcgen.views.code import attribute_name, decimal, enum_name, flags_of, parts_that_make
+from sbgcgen.views.code import value_named
 
 _WIDTH = 80
 # How many bytes are on a line.

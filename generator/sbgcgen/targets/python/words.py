@@ -7,21 +7,8 @@ import textwrap
 from collections.abc import Callable
 from typing import Any
 
-from sbgcgen.model import (
-    Announced,
-    Blob,
-    Enum,
-    EnumValue,
-    Field,
-    Layout,
-    Message,
-    Packed,
-    Part,
-    Quantity,
-    Struct,
-    constants,
-    scalar_of,
-)
+from sbgcgen.model import Announced, Blob, Enum, EnumValue, Field, Layout, Message, Packed, Part
+from sbgcgen.model import Quantity, Struct, constants, scalar_of
 from sbgcgen.views.code import attribute_name, enum_name
 from sbgcgen.views.words import body_size, directions_text, number, rules_in, versions
 
