@@ -414,7 +414,6 @@ def _index(field: Field) -> str:
 
 
 def type_text(type_: Type) -> str:
-    """A type as text for the report."""
     if isinstance(type_, Blob):
         return type_.kind if type_.kind == "string" else f"{type_.kind}[{type_.size or ''}]"
     name = str(getattr(type_, "name", type_.kind))

@@ -70,7 +70,6 @@ class Struct:
 
     @cached_property
     def names(self) -> frozenset[str]:
-        """The names of the fields."""
         return frozenset(f.name for f in self.fields)
 
     @cached_property
@@ -85,7 +84,6 @@ class Struct:
 
     @cached_property
     def fixed_size(self) -> int:
-        """The size of the fixed part."""
         return sum(f.size or 0 for f in self.fixed_part)
 
 

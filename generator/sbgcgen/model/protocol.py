@@ -194,7 +194,6 @@ class Layout:
         return tuple(m for family in self.families for m in family.messages)
 
     def messages_of(self, command: str, direction: str) -> tuple[Message, ...]:
-        """The messages of a command in a direction."""
         return self._by_command.get((command, direction), ())
 
     @cached_property

@@ -30,7 +30,6 @@ class Places:
     known: dict[str, tuple[int, list[Edge], frozenset[int]]] = field(default_factory=dict)
 
     def number(self, path: str) -> int:
-        """The number of a place."""
         return self.numbers.setdefault(path, len(self.numbers))
 
     def at(self, path: str, member: Field, type_: Type) -> tuple[int, list[Edge], frozenset[int]]:

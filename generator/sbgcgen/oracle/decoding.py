@@ -233,7 +233,6 @@ def _size_of(type_: Type) -> int:
 
 
 def _read_some(field: Field, count: int, reader: _Reader) -> list[Any]:
-    """Elements of a field."""
     if field.scalar is None:
         return [_read_value(field.type, reader, field.name) for _ in range(count)]
     scalar = field.scalar

@@ -34,7 +34,6 @@ def choose_message(forms: Forms, direction: str, id: int, size: int) -> Message:
 
 
 def write_frame(framing: Framing, id: int, body: bytes) -> bytes:
-    """The frame with this body."""
     if id == 0:
         raise CodecError("invalid_id")
     if len(body) > framing.max_body:

@@ -305,7 +305,6 @@ class _Maker:
         return next(values, None)
 
     def choice(self, **options: Any) -> Choice:
-        """A choice for this message."""
         return Choice(self.places, **options)
 
     def all_rounds(self, case: dict[str, Any], kind: str) -> Iterator[Choice]:
@@ -391,6 +390,5 @@ class _Random:
         self.state = seed
 
     def between(self, low: int, high: int) -> int:
-        """A number from low to high."""
         self.state = (self.state * 6364136223846793005 + 1442695040888963407) % (1 << 64)
         return low + (self.state >> 33) % (max(low, high) - low + 1)

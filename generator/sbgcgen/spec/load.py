@@ -64,12 +64,10 @@ class Spec:
 
     @property
     def main_file(self) -> str:
-        """The name of the main file."""
         return Path(self.main.position.file).name
 
     @property
     def command_prefix(self) -> str:
-        """The common prefix of the names of commands."""
         return str(self.main.get("protocol", {}).get("command_prefix", "CMD_"))
 
     @cached_property

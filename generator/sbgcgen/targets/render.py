@@ -58,7 +58,6 @@ def _environment(folder: Path) -> jinja2.Environment:
 
 
 def environment(target: Target) -> jinja2.Environment:
-    """The Jinja environment of a target."""
     return _environment(target.folder)
 
 

@@ -56,7 +56,6 @@ def decimal(raw: int, quantity: Quantity) -> str:
 
 
 def value_named(enum: Enum, value: int) -> EnumValue | None:
-    """The enumerator of a value."""
     return next((v for v in enum.values if v.value == value), None)
 
 

@@ -84,12 +84,10 @@ class History:
 
     @property
     def of_boards(self) -> list[News]:
-        """The news of each board version."""
         return [self._of[key] for key in sorted(self._of) if key[1]]
 
     @property
     def of_firmware(self) -> list[News]:
-        """The news of each firmware version."""
         return [self._of[key] for key in sorted(self._of) if key[0]]
 
     @property

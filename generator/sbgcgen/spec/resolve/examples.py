@@ -176,7 +176,6 @@ def _is_flags(type_: Type) -> bool:
 
 
 def _single(field: Field, type_: Type, node: Any) -> Any:
-    """One value of a field."""
     if isinstance(type_, Struct):
         return _struct(type_, node)
     if isinstance(type_, Blob):

@@ -207,7 +207,6 @@ def message_doc(message: Message) -> str:
 
 
 def value_doc(value: EnumValue) -> str:
-    """The meaning of an enum value."""
     said = [value.summary, f"Since {versions(value.since)}." if value.since else ""]
     return doc([" ".join(filter(None, [*said, "Unconfirmed." if value.unconfirmed else ""]))])
 

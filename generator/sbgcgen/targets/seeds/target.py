@@ -36,7 +36,6 @@ class Seeds(Target):
     mark = "sbgc.dict"
 
     def files(self, layout: Layout, project: Path) -> Iterator[tuple[str, bytes]]:
-        """The seeds and the dictionary by path."""
         yield "sbgc.dict", _dictionary(layout).encode()
         bodies = {id(message): _bodies(message) for message in layout.messages}
         for message in layout.messages:

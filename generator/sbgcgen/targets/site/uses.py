@@ -21,7 +21,6 @@ class Use:
 
 
 def page_of_message(message: Message) -> str:
-    """The path of the page of a message."""
     return f"messages/{slug(message.name)}.html"
 
 

@@ -296,7 +296,6 @@ def size_words(leaf: Leaf) -> str:
 
 
 def offset_words(leaf: Leaf, row: Row) -> str:
-    """The offset of a leaf in words."""
     if leaf.offset is None:
         return "varies"
     return f"{leaf.offset}…" if "[]" in leaf.path and "[]" in row.path else str(leaf.offset)

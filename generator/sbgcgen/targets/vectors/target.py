@@ -25,7 +25,6 @@ class Vectors(Target):
     """A file for each family, one for unknown messages, and one for framing."""
 
     def files(self, layout: Layout, project: Path) -> Iterator[tuple[str, bytes]]:
-        """The vector files by path."""
         forms = forms_of(layout)
         bodies: set[int] = set()
         for family in layout.families:

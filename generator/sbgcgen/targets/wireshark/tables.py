@@ -252,7 +252,6 @@ def _announced(layout: Layout, name: str, list_: str, path: str) -> Table:
 
 
 def fields(one: Message, names: Names) -> list[Table]:
-    """The fields of a message."""
     return [_field(field, names) for field in one.fields]
 
 
