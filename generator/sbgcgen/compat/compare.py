@@ -399,10 +399,7 @@ def _compare_confirm(pair: Pair) -> None:
 
 def _condition_words(case: AnswerCase | EffectCase) -> str:
     """The condition of a case in words; "else" if it has none."""
-    when = case.when
-    if when is None:
-        return "else"
-    return when.words
+    return case.when.words if case.when else "else"
 
 
 def _stops(message: Message) -> list[list[str]]:
