@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import json
-import re
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
@@ -15,7 +13,7 @@ from sbgcgen.model import Quantity, Scalar, Struct, Type, value_at
 from sbgcgen.model.packed_text import part_of, text_of
 from sbgcgen.oracle.json_values import plain
 from sbgcgen.oracle.codec import LISTS, Fields, is_bytes, keys_of, scalar_of
-from sbgcgen.oracle.frames import forms_of, write_frame
+from sbgcgen.oracle.frames import write_frame
 from sbgcgen.oracle.json_values import text_to_bytes
 from sbgcgen.oracle.vector_line import line
 from sbgcgen.oracle.vectors import typical_vector
@@ -127,7 +125,7 @@ def example_of(message: Message, layout: Layout) -> Example:
     """The example of a message, from its first readable test vector."""
     vector = typical_vector(message)
     assert vector.body is not None and vector.fields is not None
-    vector_line = json.loads(line(vector, forms_of(layout)))
+    vector_line = json.loads(line(vector, layout.messages_by_id))
     framing = layout.framing
     frame = write_frame(framing, message.id, vector.body)
     taker = _ValueReader(layout, vector.body, vector.fields)

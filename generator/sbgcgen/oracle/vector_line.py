@@ -3,7 +3,7 @@ other messages."""
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
 
 from sbgcgen.model import Announcement, Context, Enum, Field, Message, Packed, Struct, satisfying
 from sbgcgen.oracle.codec import CodecError, Fields
@@ -147,13 +147,12 @@ def announcing(announcement: Announcement, message: Message, types: list[str]) -
     return compose(message, choice)
 
 
-class _Kind:
+class _Kind(NamedTuple):
     """The place of the type in an element."""
 
-    def __init__(self, enum: Enum, mask: int, shift: int) -> None:
-        self.enum = enum
-        self.mask = mask
-        self.shift = shift
+    enum: Enum
+    mask: int
+    shift: int
 
 
 def _element(announcement: Announcement, message: Message) -> Struct:

@@ -145,14 +145,14 @@ class _Maker:
         """
         for choice in self.all_rounds({}, "free"):
             self.add(choice)
-        for case in self.cases():
+        for case in cases_of(self.message):
             for choice in self.all_rounds(case, "conditional"):
                 self.add(choice)
             if any(when.may_be_missing for when in conditions(self.message)):
                 self.add(self.choice(short=True, leave_out=True, **case), "without optional fields")
         for field in self.message.fields:
             if field.fits and field.scalar:
-                for case in self.cases():
+                for case in cases_of(self.message):
                     self.add(self.choice(fits=True, **case), f"with {field.name}")
                 for value in (field.scalar.minimum, field.scalar.maximum):
                     forced = {field.name: value}
@@ -261,7 +261,7 @@ class _Maker:
 
     def out_of_place(self) -> None:
         """Conditional fields that are present or missing contrary to their condition."""
-        for case in self.cases():
+        for case in cases_of(self.message):
             forced = case.get("forced", {})
             for source, value in forced.items():
                 other = self.value_of_no_condition(source, forced)
@@ -318,10 +318,6 @@ class _Maker:
             named |= getattr(last, f"named_of_{kind}")
         for number in sorted(named):
             yield self.choice(round=number, named=number, **case)
-
-    def cases(self) -> Iterator[dict[str, Any]]:
-        """For each condition, the options of a choice that satisfies it."""
-        return cases_of(self.message)
 
     # Results
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from sbgcgen.model import Field, Layout, Leaf, Message
 from sbgcgen.oracle.codec import CodecError
-from sbgcgen.oracle.frames import choose_message, forms_of
+from sbgcgen.oracle.frames import choose_message
 
 
 @dataclass(frozen=True)
@@ -51,7 +51,7 @@ def byte_map(message: Message) -> tuple[list[list[Block]], list[Leaf]]:
 
 def sizes_of(message: Message, layout: Layout) -> str:
     """The body sizes that select this form of the command: "13", "16 to 255"."""
-    forms = forms_of(layout)
+    forms = layout.messages_by_id
     taken = []
     for size in range(layout.max_body + 1):
         try:
