@@ -9,7 +9,7 @@ from sbgcgen.model.values import EnumValue, Feature, Former, Identifier, Packed,
 from sbgcgen.model.values import Scalar, Until, Versions
 from sbgcgen.model.bodies import Alternative, Announced, Announcement, Blob, Constant, Context
 from sbgcgen.model.bodies import Field, FieldRule, Later, Leaf, Special, Struct, Type, constants
-from sbgcgen.model.bodies import element_of, field_rules, scalar_of
+from sbgcgen.model.bodies import all_fields, element_of, field_rules, scalar_of
 from sbgcgen.model.conditions import Condition, satisfying, value_at
 from sbgcgen.model.answers import Answer, AnswerCase, CorrelationField, OptionalPart, Response
 from sbgcgen.model.answers import Result, Role

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sbgcgen.model import Announced, Blob, Command, Enum, Field, Layout, Message, Packed, Quantity
+from sbgcgen.model import Command, Enum, Field, Layout, Message, Packed, Quantity
 from sbgcgen.model import Scalar, Settings, Struct, Variable, conditions, constants, copy_field
 from sbgcgen.model import scalar_of
 from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
@@ -111,16 +111,15 @@ def _can_hold(wide: Field, narrow: Field) -> bool:
         return False
     if wide.type == narrow.type:
         return True
-    if wide.dim != "one" or isinstance(wide.type, (Blob, Struct, Announced)):
+    has, room = scalar_of(narrow.type), scalar_of(wide.type)
+    if wide.dim != "one" or has is None or has.minimum is None or has.maximum is None:
         return False
-    if isinstance(narrow.type, (Blob, Struct, Announced)):
-        return False
-    has, holds = scalar_of(narrow.type), scalar_of(wide.type)
-    if has is None or has.minimum is None or has.maximum is None:
-        return False
-    if holds is None or holds.minimum is None or holds.maximum is None:
-        return False
-    return holds.minimum <= has.minimum and has.maximum <= holds.maximum
+    return (
+        room is not None
+        and not room.is_float
+        and room.holds(has.minimum)
+        and room.holds(has.maximum)
+    )
 
 
 def _check_bodies(layout: Layout, found: Diagnostics) -> None:

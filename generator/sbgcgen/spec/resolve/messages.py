@@ -8,7 +8,7 @@ from typing import Any
 from sbgcgen.model import Availability, Command, Context, Field, Message, Position, Struct, Until
 from sbgcgen.model.names import camel_case, form_suffix
 from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
-from sbgcgen.spec.load import Map
+from sbgcgen.spec.load import Map, empty_map
 from sbgcgen.spec.resolve.answers import AnswerResolver
 from sbgcgen.spec.resolve.contexts import announceable_types, context_of
 from sbgcgen.spec.resolve.effects import EffectResolver
@@ -85,7 +85,7 @@ class MessageResolver:
             base += "Request"
         for form, content in forms.items():
             at = side["forms"].at(form) if form else node.at(direction)
-            body = content if content is not None else _no_body(at)
+            body = content if content is not None else empty_map(at)
             name = str(body.get("as", base + camel_case(form_suffix(form))))
             draft = _Draft(name, command, node, direction, form, body, side, at)
             key = (name, direction)
@@ -436,13 +436,6 @@ class MessageResolver:
             )
             for f in message.fields
         ]
-
-
-def _no_body(at: Position) -> Map:
-    """The content of a form without a description."""
-    result = Map()
-    result.position, result.keys_at = at, {}
-    return result
 
 
 def _other(direction: str) -> str:

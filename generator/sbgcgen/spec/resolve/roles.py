@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from fractions import Fraction
 from typing import Any
 
 from sbgcgen.model import COMMAND_IDS, Blob, Enum, Field, Message, Position, Quantity, Role, Struct

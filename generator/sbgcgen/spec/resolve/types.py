@@ -423,7 +423,8 @@ class TypeResolver(Entries):
             quantity=quantity,
             saved_as=str(node.get("saved_as", "")),
         )
-        if quantity is not None and not _holds(quantity.scalar, part.limits):
+        fits = quantity is None or all(map(quantity.scalar.holds, part.limits))
+        if quantity is not None and (quantity.scalar.is_float or not fits):
             text = f"'{name}' has numbers from {part.limits[0]} to {part.limits[1]}"
             hint = f"which {quantity.name} cannot hold: its type is {quantity.scalar.name}"
             self.found.add(node.at("type"), "SBGC016", text, hint)
@@ -484,10 +485,3 @@ def parse_bits(value: Any) -> tuple[int, int]:
     """3 -> (3, 3) and "0..2" -> (0, 2)."""
     first, _, last = str(value).partition("..")
     return int(first), int(last or first)
-
-
-def _holds(scalar: Scalar, limits: tuple[int, int]) -> bool:
-    """True if all integers within the limits are numbers of the type."""
-    if scalar.minimum is None or scalar.maximum is None:
-        return False
-    return scalar.minimum <= limits[0] and limits[1] <= scalar.maximum
