@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any
 
-from sbgcgen.model import ID, SIZE, START, Alternative, Announced, AnswerCase, Blob, Checksum
+from sbgcgen.model import ID, SIZE, Alternative, Announced, AnswerCase, Blob, Checksum
 from sbgcgen.model import Condition, Enum, Field, Framing, Layout, Leaf, Message, Packed, Part
 from sbgcgen.model import Quantity, Struct, Type
 
