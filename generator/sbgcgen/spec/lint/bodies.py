@@ -244,27 +244,31 @@ def _is_count(part: Part) -> bool:
 
 def _check_alternatives(message: Message, fields: tuple[Field, ...], found: Diagnostics) -> None:
     for field in fields:
-        inside = bool(field.alternative and field.alternative.in_group)
-        by_name = {other.name: other for other in (fields if inside else message.fields)}
+        other = field.alternative
         if isinstance(field.type, Struct):
             _check_alternatives(message, field.type.fields, found)
-        if field.alternative and not (
+        if other is None:
+            continue
+        if not (
             isinstance(field.type, Quantity)
-            and field.type.scalar == field.alternative.quantity.scalar
-            and field.type.unit == field.alternative.quantity.unit
+            and field.type.scalar == other.quantity.scalar
+            and field.type.unit == other.quantity.unit
         ):
-            text = f"{field.alternative.quantity.name} is not another scale of '{field.name}'"
+            text = f"{other.quantity.name} is not another scale of '{field.name}'"
             hint = "both are quantities in one unit over the same number"
             found.add(field.at, "SBGC026", text, hint)
-        source = by_name.get(field.alternative.source) if field.alternative else None
-        if source is None or field.alternative is None:
+        around = fields if other.in_group else message.fields
+        source = next((f for f in around if f.name == other.source), None)
+        if source is None:
+            wanted = other.source.upper()
+            text = f"the unit of '{field.name}' depends on {wanted}, which {message.name} does not have"
+            found.add(field.at, "SBGC026", text, "'of' names a field of the same message")
             continue
-        flag = field.alternative.flag
         sets = [source.type] if isinstance(source.type, Enum) else []
         if isinstance(source.type, Packed):
             sets = [part.enum for part in source.type.parts if part.enum]
-        if not any(flag in enum.values for enum in sets):
-            text = f"'{source.name}' of {message.name} has no flag {flag.name}"
+        if not any(other.flag in enum.values for enum in sets):
+            text = f"'{source.name}' of {message.name} has no flag {other.flag.name}"
             hint = "'of' names the field whose flags choose the unit"
             found.add(field.at, "SBGC026", text, hint)
 
