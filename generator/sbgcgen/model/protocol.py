@@ -239,24 +239,15 @@ class Layout:
         stored = {m.stores for m in self.messages}
         bodies = {m.name: m.same_as or m.name for m in self.messages}
 
-        def requests(of: list[Message]) -> tuple[Message, ...]:
-            return tuple(sorted(of, key=lambda m: m.deprecated is not None))
-
-        return tuple(
-            Settings(
-                message,
-                requests(
-                    [
-                        m
-                        for m in self.messages
-                        if m.answer and message.name in (bodies.get(n) for n in m.answer.messages)
-                    ]
-                ),
-                requests([m for m in self.messages if m.stores == message.name]),
-            )
-            for message in self.definitions
-            if message.name in stored
-        )
+        requests = sorted(self.messages, key=lambda m: m.deprecated is not None)
+        asking = [(m, [bodies.get(n) for n in m.answer.messages]) for m in requests if m.answer]
+        found = []
+        for message in self.definitions:
+            if message.name in stored:
+                readers = tuple(m for m, answers in asking if message.name in answers)
+                writers = tuple(m for m in requests if m.stores == message.name)
+                found.append(Settings(message, readers, writers))
+        return tuple(found)
 
     @cached_property
     def forms(self) -> tuple[str, ...]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from math import log
 from typing import Any
@@ -122,59 +122,29 @@ class TypeResolver(Entries):
     def _command_ids(self, direction: str) -> Enum:
         """The command ids of one direction; in the other one they may mean other commands."""
         values = []
+        prefix = self.spec.command_prefix
         for _, name, value, at in self.spec.entries("commands"):
             if value["id"] is None or direction not in directions_of(value):
                 continue
-            usual = snake_case(name.removeprefix(self.spec.command_prefix))
+            usual = snake_case(name.removeprefix(prefix))
             identifier = self.identifier(str(value.get("as", usual)), at)
-            summary = str(value.get("summary", ""))
-            values.append(
-                EnumValue(
-                    name,
-                    identifier,
-                    value["id"],
-                    summary,
-                    at=at,
-                    aliases=self.aliases(value, self.spec.command_prefix),
-                )
-            )
-        return Enum(
-            name=COMMAND_IDS[direction],
-            member=COMMAND_IDS[direction],
-            scalar=SCALARS["u8"],
-            kind="enum",
-            summary=f"The commands of messages {'to' if direction == 'to_board' else 'from'} the board.",
-            source="Command ID definitions L75-L154",
-            errata=(),
-            values=tuple(sorted(values, key=lambda v: (v.value, v.name))),
-        )
+            summary, aliases = str(value.get("summary", "")), self.aliases(value, prefix)
+            values.append(EnumValue(name, identifier, value["id"], summary, at=at, aliases=aliases))
+        way = "to" if direction == "to_board" else "from"
+        summary = f"The commands of messages {way} the board."
+        source = "Command ID definitions L75-L154"
+        return _enum_of_ids(COMMAND_IDS[direction], summary, source, values)
 
     def _variable_ids(self) -> Enum:
         values = []
         for _, name, value, at in self.spec.entries("variables"):
             identifier = self.identifier(snake_case(name), at)
-            summary = str(value.get("summary", ""))
-            values.append(
-                EnumValue(
-                    name,
-                    identifier,
-                    value["id"],
-                    summary,
-                    since=self.availability(value),
-                    at=at,
-                    unconfirmed=bool(value.get("unconfirmed", False)),
-                )
-            )
-        return Enum(
-            name=VARIABLE_ID,
-            member=VARIABLE_ID,
-            scalar=SCALARS["u8"],
-            kind="enum",
-            summary="The adjustable variables.",
-            source="Appendix B L1274-L1329",
-            errata=(),
-            values=tuple(sorted(values, key=lambda v: (v.value, v.name))),
-        )
+            entry = EnumValue(name, identifier, value["id"], str(value.get("summary", "")), at=at)
+            unconfirmed = bool(value.get("unconfirmed", False))
+            since = self.availability(value)
+            values.append(replace(entry, since=since, unconfirmed=unconfirmed))
+        source = "Appendix B L1274-L1329"
+        return _enum_of_ids(VARIABLE_ID, "The adjustable variables.", source, values)
 
     def _enum_values(
         self, name: str, entries: dict[str, tuple[Map, Position]], on_the_way: tuple[str, ...]
@@ -479,6 +449,11 @@ class TypeResolver(Entries):
                 if first is not at:
                     message = f"'{name}' is defined twice (first at {first})"
                     self.found.add(at, "SBGC028", message, "all types share one namespace")
+
+
+def _enum_of_ids(name: str, summary: str, source: str, values: list[EnumValue]) -> Enum:
+    in_order = tuple(sorted(values, key=lambda v: (v.value, v.name)))
+    return Enum(name, name, SCALARS["u8"], "enum", summary, source, (), in_order)
 
 
 def parse_bits(value: Any) -> tuple[int, int]:

@@ -10,7 +10,8 @@ from typing import Any
 from sbgcgen.model import Announced, Blob, Enum, EnumValue, Field, Layout, Message, Packed, Part
 from sbgcgen.model import Quantity, Struct, constants, scalar_of
 from sbgcgen.views.code import attribute_name, enum_name
-from sbgcgen.views.words import body_size, directions_text, number, rules_in, versions
+from sbgcgen.views.words import body_size, directions_text, narrow_range, number, rules_in
+from sbgcgen.views.words import versions
 
 LINE = 100  # columns
 
@@ -132,26 +133,12 @@ def hints(field: Field, raw: bool = False) -> tuple[str, str]:
     return get, set_
 
 
-def _range(field: Field) -> str:
-    """The range of a field in its unit, if it is narrower than that of its type."""
-    scalar = scalar_of(field.type)
-    if field.constant or field.minimum is None or field.maximum is None or scalar is None:
-        return ""
-    if field.minimum == scalar.minimum and field.maximum == scalar.maximum:
-        return ""
-    limits = [field.minimum, field.maximum]
-    if isinstance(field.type, Quantity):
-        limits = [limit * field.type.scale + field.type.offset for limit in limits]
-    return " to ".join(f"{float(limit):.6g}" for limit in limits)
-
-
 def field_doc(field: Field, whole: str = "body") -> str:
     """The documentation of a field of a body, or of an element."""
     unit = field.type.unit or "" if isinstance(field.type, Quantity) else ""
-    limits = _range(field)
     said = [field.summary]
-    if limits:
-        said.append(f"Range: {limits}{f' {unit}' if unit else ''}.")
+    if limits := narrow_range(field):
+        said.append(f"Range: {limits}.")
     elif unit:
         said.append(f"Unit: {unit}.")
     said.append(directions_text(field.directions or ()))
