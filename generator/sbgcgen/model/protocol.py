@@ -233,6 +233,10 @@ class Layout:
         """Messages that define a type, in the order of families."""
         return tuple(m for family in self.families for m in family.definitions)
 
+    @property
+    def types(self) -> tuple[Enum | Packed | Quantity, ...]:
+        return *self.enums, *self.packed, *self.quantities
+
     @cached_property
     def settings(self) -> tuple[Settings, ...]:
         """The settings that can be read and stored, in the order of families."""
