@@ -203,10 +203,6 @@ def _check_groups(message: Message, found: Diagnostics) -> None:
             found.add(field.at, "SBGC033", text, hint)
 
 
-def _is_rest_of_bytes(field: Field) -> bool:
-    return field.dim == "rest" and field.type == Blob("bytes", None)
-
-
 def _takes_rest(struct: Struct) -> bool:
     if not struct.fields or struct.size is not None:
         return False
@@ -295,9 +291,9 @@ def _check_contexts(message: Message, layout: Layout, found: Diagnostics) -> Non
             hint = "it comes before all that depends on the context, if that 'has' a flag"
             found.add(field.at, "SBGC026", text, hint)
         if field.fits_rest:
-            after = message.fields[message.fields.index(field) + 1 :]
+            rest = [(f.dim, f.type) for f in message.fields[message.fields.index(field) + 1 :]]
             is_string = isinstance(field.type, Blob) and field.dim == "one"
-            if not is_string or len(after) != 1 or not _is_rest_of_bytes(after[0]):
+            if not is_string or rest != [("rest", Blob("bytes", None))]:
                 text = f"'{field.name}' of {message.name} is not followed by the rest of the body"
                 hint = "a text that fits comes right before a last field of type bytes[]"
                 found.add(field.at, "SBGC043", text, hint)

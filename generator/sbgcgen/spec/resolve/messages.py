@@ -79,9 +79,9 @@ class MessageResolver:
         side = node[direction]
         forms = side.get("forms", {None: side})
         base = camel_case(command.name.removeprefix(self.types.spec.command_prefix))
-        answers_itself = direction == "to_board" and "from_board" in node
-        shared = any("same_as" in node.get(d, {}) for d in DIRECTIONS)
-        if answers_itself and not (shared and self._is_own_body(node, base)):
+        # One direction of a command may have the same body, and thus the name, of the other.
+        is_shared = any(node[d].get("same_as") == base for d in DIRECTIONS if d in node)
+        if direction == "to_board" and "from_board" in node and not is_shared:
             base += "Request"
         for form, content in forms.items():
             at = side["forms"].at(form) if form else node.at(direction)
@@ -113,10 +113,6 @@ class MessageResolver:
                 hint = "one of them must list the fields"
                 self.found.add(node.at("same_as"), "SBGC029", message, hint)
                 node.pop("same_as")
-
-    def _is_own_body(self, node: Map, base: str) -> bool:
-        """True if one direction of a command has the same body as the other."""
-        return any(node[d].get("same_as") == base for d in DIRECTIONS if d in node)
 
     def _find(self, name: str, at: Position) -> Message | None:
         """The message with this name, from the direction that defines its body."""

@@ -212,7 +212,7 @@ def _messages(layout: Layout) -> Iterator[Entry]:
     def entry(message: Message, *twins: Message) -> Entry:
         numbers = f"{message.command} {message.id} 0x{message.id:02x}"
         words = _joined(numbers, _lines(message.source))
-        others = tuple(entry(twin) for twin in twins)
+        others = tuple(map(entry, twins))
         return Entry("message", message.name, message.summary, page_of(message), words, others)
 
     writers = {s.message.name: s.writers for s in layout.settings}
@@ -228,7 +228,7 @@ def _commands(layout: Layout) -> Iterator[Entry]:
     def entry(command: Command, *twins: Command) -> Entry:
         page = f"families/{command.family}.html#{command.name}"
         number = "" if command.id is None else f"{command.id} 0x{command.id:02x}"
-        others = tuple(entry(twin) for twin in twins)
+        others = tuple(map(entry, twins))
         words = _joined(number, _lines(command.source))
         return Entry("command", command.name, command.summary, page, words, others)
 
