@@ -3,6 +3,7 @@ other messages."""
 
 from __future__ import annotations
 
+from itertools import groupby
 from typing import Any, NamedTuple
 
 from sbgcgen.model import Announcement, Context, Enum, Field, Message, Packed, Struct, satisfying
@@ -131,15 +132,10 @@ def announcing(announcement: Announcement, message: Message, types: list[str]) -
     """
     kind = _kind(announcement, message)
     values = {v.wire: v.value << kind.shift for v in kind.enum.values if v.wire}
-    runs: list[tuple[str, int]] = []
-    for name in types:
-        if runs and runs[-1][0] == name:
-            runs[-1] = (name, runs[-1][1] + 1)
-        else:
-            runs.append((name, 1))
+    kind_name = announcement.kind.partition(".")[0]
     elements: list[Fields] = []
-    for number, (name, count) in enumerate(runs):
-        kind_name = announcement.kind.partition(".")[0]
+    for number, (name, run) in enumerate(groupby(types)):
+        count = len(list(run))
         forced = {kind_name: values[name], announcement.count: count if count > 1 else number % 2}
         choice = Choice(Places(), short=True, forced=forced)
         elements.append(compose_fields(_element(announcement, message), choice))
