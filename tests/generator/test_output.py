@@ -40,8 +40,8 @@ def generate(root: Path, folder: Path, seed: str, zone: str) -> dict[str, str]:
     """Runs the generator as a separate program in another environment."""
     folder.mkdir(parents=True)
     at = ["--root", root, "--output", folder / "out"]
-    environment = {"PYTHONHASHSEED": seed, "TZ": zone, "LC_ALL": "C"}
-    run_generator("generate", *at, folder=folder, **environment).check_returncode()
+    done = run_generator("generate", *at, folder=folder, PYTHONHASHSEED=seed, TZ=zone, LC_ALL="C")
+    done.check_returncode()
     return snapshot(folder / "out")
 
 
