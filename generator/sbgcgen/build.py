@@ -93,15 +93,11 @@ def load_layout(spec_dir: Path) -> Layout:
     Raises SpecError if the spec cannot be resolved.
     """
     found = Diagnostics()
-    _, layout = _resolve(spec_dir, found)
-    found.raise_if_any()
-    return layout
-
-
-def _resolve(spec_dir: Path, found: Diagnostics) -> tuple[Spec, Layout]:
     spec = load(spec_dir, found)
     check_shape(spec, found)
     found.raise_if_any()
     check_syntax(spec, found)
     found.raise_if_any()
-    return spec, resolve(spec, found)
+    layout = resolve(spec, found)
+    found.raise_if_any()
+    return layout

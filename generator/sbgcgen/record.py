@@ -64,7 +64,6 @@ class Record:
 
 
 def _files_in(folder: Path) -> list[Path]:
-    """All files in a folder and the folders in it."""
     return [Path(at, name) for at, _, names in os.walk(folder) for name in names]
 
 

@@ -10,23 +10,8 @@ from operator import attrgetter
 from typing import Any, Optional, Protocol, Union
 
 from sbgcgen.views.words import default_words, rules_in, versions
-from sbgcgen.model import (
-    AnswerCase,
-    Availability,
-    Command,
-    Condition,
-    Effect,
-    Enum,
-    Erratum,
-    Field,
-    Layout,
-    Leaf,
-    Message,
-    Packed,
-    Part,
-    Quantity,
-    Variable,
-)
+from sbgcgen.model import AnswerCase, Availability, Command, Condition, Effect, Enum, Erratum, Field
+from sbgcgen.model import Layout, Leaf, Message, Packed, Part, Quantity, Variable
 
 Wanted = Union[str, Fraction]
 

@@ -17,7 +17,7 @@ from pages import Page, read, search_index
 from sbgcgen.build import load_protocol
 from sbgcgen.model import Layout
 from sbgcgen.targets import target
-from sbgcgen.targets.site.uses import page_of_message, page_of_type
+from sbgcgen.targets.site.uses import page_of
 from sbgcgen.views.words import versions
 from spec_maker import write_spec
 
@@ -107,7 +107,7 @@ def test_links_work_from_a_folder(pages: Pages) -> None:
 def test_pages_of_requests_with_directed_fields_draw_the_axes(pages: Pages, layout: Layout) -> None:
     directed = [m for m in layout.messages if m.effect and any(v.direction for v in m.leaves)]
     drawings = {page.path: page.root.with_class("axes-drawing") for page in pages.values()}
-    expected = {page_of_message(message) for message in directed} | {"units.html"}
+    expected = {page_of(message) for message in directed} | {"units.html"}
     assert {path for path, found in drawings.items() if found} == expected
     for (drawing,) in filter(None, drawings.values()):
         assert {drawing.get("role"), *(e.get("id") for e in drawing.all("title", "desc"))} == {
@@ -132,16 +132,14 @@ def test_pages_tell_no_time_for_what_the_library_does_not_wait_for(
     ]
     assert len(unsure) > 5
     for message in unsure:
-        (answer,) = [
-            e for e in pages[page_of_message(message)].root.all() if e.get("id") == "answer"
-        ]
+        (answer,) = [e for e in pages[page_of(message)].root.all() if e.get("id") == "answer"]
         assert "does not wait for it" in answer.text, message.name
         assert "The library waits" not in answer.text, message.name
 
 
 def test_every_leaf_has_a_deep_link(pages: Pages, layout: Layout) -> None:
     for message in layout.messages:
-        ids = set(pages[page_of_message(message)].ids)
+        ids = set(pages[page_of(message)].ids)
         for leaf in message.leaves:
             assert f"field-{leaf.path}" in ids, f"{message.name}: {leaf.path}"
             for case in leaf.cases:
@@ -150,7 +148,7 @@ def test_every_leaf_has_a_deep_link(pages: Pages, layout: Layout) -> None:
 
 def test_every_value_variable_and_erratum_has_a_deep_link(pages: Pages, layout: Layout) -> None:
     for enum in layout.enums:
-        ids = pages[page_of_type(enum)].ids
+        ids = pages[page_of(enum)].ids
         assert {value.name for value in enum.values} <= set(ids), enum.name
     assert {v.name for v in layout.variables} <= set(pages["variables.html"].ids)
     assert {e.number for e in layout.errata} <= set(pages["errata.html"].ids)
@@ -186,7 +184,7 @@ def test_search_knows_every_field_by_both_names(files: Files, layout: Layout) ->
     }
     by_name = {message.name: message for message in layout.messages}
     for message in layout.messages:
-        page = page_of_message(by_name[message.same_as] if message.same_as else message)
+        page = page_of(by_name[message.same_as] if message.same_as else message)
         for leaf in message.leaves:
             if not leaf.field.reserved:
                 assert f"{page} {leaf.spec_name}" in words, leaf.path
@@ -273,14 +271,14 @@ def test_marks_of_versions_lead_to_what_else_the_version_brought(pages: Pages) -
 
 def test_what_a_firmware_lacks_is_marked_for_the_choice(pages: Pages, layout: Layout) -> None:
     for enum in layout.enums:
-        marked = _marked(pages[page_of_type(enum)])
+        marked = _marked(pages[page_of(enum)])
         for value in enum.values:
             assert marked.get(value.name, 0) == value.since.firmware, value.name
     marked = _marked(pages["variables.html"])
     for variable in layout.variables:
         assert marked.get(variable.name, 0) == variable.since.firmware, variable.name
     for message in layout.definitions:
-        page = pages[page_of_message(message)]
+        page = pages[page_of(message)]
         marked = _marked(page)
         for field in message.fields:
             since = field.since if field.since.is_after(message.since) else None

@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+import os
 import shutil
 import subprocess
+import sys
 from functools import cache
 from pathlib import Path
+
+import pytest
 
 from sbgcgen.build import load_protocol
 from sbgcgen.spec.diagnostics import Diagnostic, SpecError
 from sbgcgen.model import Layout, Message
 
+Capture = pytest.CaptureFixture[str]
 HERE = Path(__file__).resolve().parent
 PROJECT = HERE.parent.parent
 GENERATOR = PROJECT / "generator"
@@ -84,6 +89,33 @@ def message_of(layout: Layout, name: str, direction: str | None = None) -> Messa
     found = [m for m in layout.messages if m.name == name and direction in (None, m.direction)]
     assert len(found) == 1, f"{len(found)} messages are called {name}"
     return found[0]
+
+
+# The generator as a program
+
+
+def run_generator(
+    *arguments: object, generator: Path = GENERATOR, folder: Path | None = None, **settings: str
+) -> subprocess.CompletedProcess[str]:
+    """Runs a generator in a separate process, in a folder, with settings of its environment."""
+    own = {"PYTHONPATH": str(generator), "PYTHONDONTWRITEBYTECODE": "1"}
+    return subprocess.run(
+        [sys.executable, "-m", "sbgcgen", *map(str, arguments)],
+        env={**os.environ, **own, **settings},
+        cwd=folder,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+
+
+def files_in(folder: Path) -> dict[str, bytes]:
+    """Returns the contents of all files below a folder."""
+    return {
+        path.relative_to(folder).as_posix(): path.read_bytes()
+        for path in sorted(folder.rglob("*"))
+        if path.is_file()
+    }
 
 
 # A git repository

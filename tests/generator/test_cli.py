@@ -12,9 +12,7 @@ import pytest
 
 from sbgcgen.cli import main
 from sbgcgen.record import inputs
-from support import GENERATOR, write_spec
-
-Capture = pytest.CaptureFixture[str]
+from support import GENERATOR, Capture, write_spec
 
 
 @pytest.fixture

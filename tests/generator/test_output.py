@@ -5,8 +5,6 @@ from __future__ import annotations
 import hashlib
 import os
 import re
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
@@ -15,16 +13,12 @@ from sbgcgen import blocking
 from sbgcgen.record import inputs
 from sbgcgen.output import Output
 from sbgcgen.targets import outputs, targets
-from support import BASE, GENERATOR, PROJECT, layout_of, project_layout
+from support import BASE, GENERATOR, PROJECT, files_in, layout_of, project_layout, run_generator
 
 
 def snapshot(folder: Path) -> dict[str, str]:
     """Returns every file below a folder with the hash of its contents."""
-    return {
-        path.relative_to(folder).as_posix(): hashlib.sha256(path.read_bytes()).hexdigest()
-        for path in sorted(folder.rglob("*"))
-        if path.is_file()
-    }
+    return {name: hashlib.sha256(text).hexdigest() for name, text in files_in(folder).items()}
 
 
 def times(folder: Path) -> dict[str, int]:
@@ -44,22 +38,10 @@ def output(folder: Path, text: str = BASE) -> Output:
 
 def generate(root: Path, folder: Path, seed: str, zone: str) -> dict[str, str]:
     """Runs the generator as a separate program in another environment."""
-    environment = {
-        **os.environ,
-        "PYTHONPATH": str(GENERATOR),
-        "PYTHONHASHSEED": seed,
-        "TZ": zone,
-        "LC_ALL": "C",
-    }
-    command = [sys.executable, "-m", "sbgcgen", "generate", "--root", str(root)]
     folder.mkdir(parents=True)
-    subprocess.run(
-        [*command, "--output", str(folder / "out")],
-        check=True,
-        env=environment,
-        cwd=folder,
-        stdout=subprocess.DEVNULL,
-    )
+    at = ["--root", root, "--output", folder / "out"]
+    done = run_generator("generate", *at, folder=folder, PYTHONHASHSEED=seed, TZ=zone, LC_ALL="C")
+    done.check_returncode()
     return snapshot(folder / "out")
 
 

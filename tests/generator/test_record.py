@@ -12,9 +12,7 @@ import pytest
 
 import sbgcgen.record
 from sbgcgen.cli import main
-from support import GENERATOR, write_spec
-
-Capture = pytest.CaptureFixture[str]
+from support import GENERATOR, Capture, files_in, write_spec
 
 
 @pytest.fixture
@@ -51,7 +49,7 @@ def test_unchanged_run_loads_nothing_and_says_the_same(
 ) -> None:
     assert generate(root) == 0
     assert loads == []
-    count = sum(path.is_file() for path in (root / "generated").rglob("*"))
+    count = len(files_in(root / "generated"))
     assert capsys.readouterr().out == f"{count} files, 0 changed\n"
 
 
@@ -86,12 +84,12 @@ CHANGES: dict[str, tuple[Callable[[Path], object], str]] = {
 @pytest.mark.parametrize("name", CHANGES)
 def test_changed_output_is_repaired(name: str, root: Path, capsys: Capture) -> None:
     output = root / "generated"
-    before = {path: path.read_bytes() for path in output.rglob("*") if path.is_file()}
+    before = files_in(output)
     change, expected = CHANGES[name]
     change(output)
     assert generate(root) == 0
     assert capsys.readouterr().out.endswith(f" files, {expected}\n")
-    assert {path: path.read_bytes() for path in output.rglob("*") if path.is_file()} == before
+    assert files_in(output) == before
 
 
 def test_changed_spec_is_read(root: Path, loads: list[Path]) -> None:

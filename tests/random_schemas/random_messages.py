@@ -17,22 +17,13 @@ import random
 from collections.abc import Iterator
 from typing import Any, Optional
 
-from sbgcgen.model import (
-    Announced,
-    Blob,
-    Enum,
-    Field,
-    Layout,
-    Message,
-    Settings,
-    Struct,
-    copy_field,
-)
+from sbgcgen.model import Announced, Blob, Enum, Field, Layout, Message, Settings, Struct
+from sbgcgen.model import copy_field
 from sbgcgen.oracle.codec import LISTS, CodecError, Fields, is_bytes, scalar_of
 from sbgcgen.oracle.compose import Choice, Places, compose, full_context, variable_parts
 from sbgcgen.oracle.decoding import decode
 from sbgcgen.oracle.encoding import encode
-from sbgcgen.oracle.frames import choose_message, forms_of
+from sbgcgen.oracle.frames import choose_message
 from sbgcgen.oracle.vector_line import line
 from sbgcgen.oracle.json_values import integer_of, plain
 from sbgcgen.oracle.vectors import Vector
@@ -43,7 +34,7 @@ from spec_parts import MAX_BODY
 def lines_of(layout: Layout, seed: int, count: int) -> Iterator[str]:
     """Yields `count` lines for each message, and lines with bodies that are no message."""
     chosen = random.Random(seed)
-    forms = forms_of(layout)
+    forms = layout.messages_by_id
     for message in layout.messages:
         maker = RandomMessages(message, chosen)
         for _ in range(count):

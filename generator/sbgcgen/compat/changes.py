@@ -5,7 +5,6 @@ from __future__ import annotations
 import enum
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from fractions import Fraction
 from operator import attrgetter
 from typing import Any
 
@@ -135,6 +134,4 @@ def text(value: object) -> str:
         return "yes" if value else "no"
     if isinstance(value, (tuple, list)):
         return ", ".join(text(item) for item in value) or "none"
-    if isinstance(value, Fraction):
-        return str(value)
     return str(value)

@@ -4,31 +4,10 @@ from __future__ import annotations
 
 from sbgcgen.compat.changes import COMPATIBLE, MEANING, SOURCE, WIRE, Change, Changes, Level, Pair
 from sbgcgen.compat.fields import compare_fields, compare_rules, compare_structs, places
-from sbgcgen.compat.types import (
-    compare_enum,
-    compare_packed,
-    compare_quantity,
-    pair_named,
-    same_enum,
-    same_packed,
-    same_quantity,
-    unit_of,
-)
-from sbgcgen.model import (
-    Answer,
-    AnswerCase,
-    Command,
-    Condition,
-    Effect,
-    EffectCase,
-    Framing,
-    Layout,
-    Message,
-    Position,
-    Struct,
-    Until,
-    Variable,
-)
+from sbgcgen.compat.types import compare_enum, compare_packed, compare_quantity, pair_named
+from sbgcgen.compat.types import same_enum, same_packed, same_quantity, unit_of
+from sbgcgen.model import Answer, AnswerCase, Command, Condition, Effect, EffectCase, Framing
+from sbgcgen.model import Layout, Message, Position, Struct, Until, Variable
 
 
 def compare(old: Layout, new: Layout) -> list[Change]:
@@ -420,10 +399,7 @@ def _compare_confirm(pair: Pair) -> None:
 
 def _condition_words(case: AnswerCase | EffectCase) -> str:
     """The condition of a case in words; "else" if it has none."""
-    when = case.when
-    if when is None:
-        return "else"
-    return when.words
+    return case.when.words if case.when else "else"
 
 
 def _stops(message: Message) -> list[list[str]]:

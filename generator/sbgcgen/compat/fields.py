@@ -14,21 +14,10 @@ from fractions import Fraction
 from typing import Any
 
 from sbgcgen.compat.changes import COMPATIBLE, MEANING, SOURCE, WIRE, Changes, Pair
-from sbgcgen.compat.types import compare_parts, compare_unit, compare_values
+from sbgcgen.compat.types import compare_parts, compare_unit, compare_values, cut
 from sbgcgen.spec.resolve.leaves import expand_name
-from sbgcgen.model import (
-    scalar_of,
-    Blob,
-    Condition,
-    Enum,
-    Field,
-    Later,
-    Packed,
-    Part,
-    Quantity,
-    Struct,
-    Type,
-)
+from sbgcgen.model import scalar_of, Blob, Condition, Enum, Field, Later, Packed, Quantity
+from sbgcgen.model import Struct, Type
 
 Fields = tuple[Field, ...]
 Place = tuple[Any, ...]
@@ -51,15 +40,8 @@ def wire_type(type_: Type) -> Any:
 
 def wire_form(field: Field) -> Any:
     """The layout of a field: its type, number of elements, and condition."""
-    counting = (field.counting, _bits(field.counter_part))
+    counting = (field.counting, field.counter_part and cut(field.counter_part))
     return (wire_type(field.type), _times(field), _condition(field.when), counting)
-
-
-def _bits(part: Part | None) -> Any:
-    """The place of a part of a packed value."""
-    if part is None:
-        return None
-    return (part.mask, part.shift, part.divide, part.modulo, part.signed, part.sign)
 
 
 def _times(field: Field) -> Any:
@@ -74,7 +56,7 @@ def _condition(when: Condition | None) -> Any:
         for flags in (when.flags, when.any_flags, when.no_flags)
     ]
     numbers = (when.negated, sorted(when.numbers))
-    rest = (_bits(when.part), when.at_least, when.at_most)
+    rest = (when.part and cut(when.part), when.at_least, when.at_most)
     terms = (when.joined, [(term.source, _condition(term)) for term in when.terms])
     return (when.from_context, masks, numbers, when.may_be_missing, rest, terms)
 
@@ -362,9 +344,9 @@ def _compare_field(
         pair.mark(SOURCE, "index", _index(old), _index(new))
     pair.mark(WIRE, "counted by", names.get(old.counter, old.counter), new.counter)
     pair.compare(WIRE, "counted in", "counting")
-    parts = [f.counter_part.name if f.counter_part else "" for f in (old, new)]
-    if _bits(old.counter_part) != _bits(new.counter_part):
-        pair.mark(WIRE, "counted by part", *parts)
+    parts = [field.counter_part for field in (old, new)]
+    if len({part and cut(part) for part in parts}) > 1:
+        pair.mark(WIRE, "counted by part", *(part.name if part else "" for part in parts))
     pair.compare(WIRE, "may be absent", "appended")
     pair.compare(WIRE, "is present if it fits", "fits")
     pair.compare(MEANING, "is hidden in text and JSON", "secret")
@@ -411,9 +393,7 @@ def _directed(field: Field) -> str:
 
 def compare_rules(what: str, old: Struct, new: Struct, changes: Changes) -> None:
     """Another rule makes values invalid that were valid."""
-    before, now = [
-        {f"{r.low} {'<' if r.is_strict else '<='} {r.high}" for r in s.rules} for s in (old, new)
-    ]
+    before, now = [{rule.text("") for rule in struct.rules} for struct in (old, new)]
     for rule in sorted(now - before):
         changes.added(f"{what}: rule", new.at, rule, MEANING)
     for rule in sorted(before - now):
@@ -425,7 +405,6 @@ def _index(field: Field) -> str:
 
 
 def type_text(type_: Type) -> str:
-    """A type as text for the report."""
     if isinstance(type_, Blob):
         return type_.kind if type_.kind == "string" else f"{type_.kind}[{type_.size or ''}]"
     name = str(getattr(type_, "name", type_.kind))

@@ -89,12 +89,10 @@ class Release:
 
 
 def fingerprint_of(layout: Layout) -> str:
-    """The fingerprint of a model."""
     return str(export(layout)["fingerprint"])
 
 
 def write(release: Release, path: Path) -> None:
-    """Write a release to a file."""
     content = {
         "version": str(release.version),
         "fingerprint": release.fingerprint,
@@ -104,7 +102,6 @@ def write(release: Release, path: Path) -> None:
 
 
 def read(path: Path) -> Release:
-    """Read a release from a file."""
     content = json.loads(lzma.decompress(path.read_bytes()))
     return Release(parse(content["version"]), content["fingerprint"], restore(content["objects"]))
 

@@ -135,10 +135,11 @@ def same_packed(old: Packed, new: Packed) -> bool:
 
 
 def _cuts(packed: Packed) -> list[tuple[object, ...]]:
-    return [(p.name, *_cut(p), p.enum.name if p.enum else None) for p in packed.parts]
+    return [(p.name, *cut(p), p.enum.name if p.enum else None) for p in packed.parts]
 
 
-def _cut(part: Part) -> tuple[int, ...]:
+def cut(part: Part) -> tuple[int, ...]:
+    """The place of a part in the integer."""
     return (part.mask, part.shift, part.divide, part.modulo, part.signed, part.sign)
 
 
@@ -174,13 +175,13 @@ def compare_parts(what: str, old: Packed, new: Packed, changes: Changes) -> None
         label = f"{what}.{part.name}"
         now = by_name.get(part.name)
         if now is None:
-            now = next((p for p in come if _cut(p) == _cut(part)), None)
+            now = next((p for p in come if cut(p) == cut(part)), None)
             if now is None:
                 changes.deleted(SOURCE, label, part.at, _cut_text(part))
                 continue
             come.remove(now)
             changes.add(SOURCE, f"{label}: name", part.name, now.name, now.at)
-        elif _cut(part) != _cut(now):
+        elif cut(part) != cut(now):
             changes.add(MEANING, label, _cut_text(part), _cut_text(now), now.at)
         _compare_enums_of(label, part.enum, now.enum, now, changes)
         pair = changes.pair(label, part, now)

@@ -12,19 +12,8 @@ from typing import Any, Union
 from sbgcgen.model.conditions import Condition
 from sbgcgen.model.packed_text import part_of
 from sbgcgen.model.position import NOWHERE, Position
-from sbgcgen.model.values import (
-    SCALARS,
-    Alias,
-    Availability,
-    AxisDirection,
-    Deprecation,
-    Enum,
-    EnumValue,
-    Packed,
-    Part,
-    Quantity,
-    Scalar,
-)
+from sbgcgen.model.values import SCALARS, Alias, Availability, AxisDirection, Deprecation, Enum
+from sbgcgen.model.values import EnumValue, Packed, Part, Quantity, Scalar
 
 
 @dataclass(frozen=True)
@@ -81,7 +70,6 @@ class Struct:
 
     @cached_property
     def names(self) -> frozenset[str]:
-        """The names of the fields."""
         return frozenset(f.name for f in self.fields)
 
     @cached_property
@@ -96,7 +84,6 @@ class Struct:
 
     @cached_property
     def fixed_size(self) -> int:
-        """The size of the fixed part."""
         return sum(f.size or 0 for f in self.fixed_part)
 
 
@@ -144,14 +131,12 @@ def constants(fields: tuple[Field, ...]) -> tuple[Constant, ...]:
     """The named special values of fields, each name once."""
     found: dict[str, Constant] = {}
     for owner in fields:
-        if isinstance(owner.type, (Blob, Struct, Announced)):
-            continue
-        scalar = owner.type if isinstance(owner.type, Scalar) else owner.type.scalar
-        for special in owner.special:
+        scalar = scalar_of(owner.type)
+        for special in owner.special if scalar else ():
             if special.name in found:
                 first = found[special.name]
                 found[special.name] = replace(first, fields=(*first.fields, owner.name))
-            elif special.name:
+            elif special.name and scalar:
                 found[special.name] = Constant(
                     special.name, scalar, special.value, special.meaning, (owner.name,), special.at
                 )
@@ -317,6 +302,14 @@ class Field:
     def is_variable(self) -> bool:
         """True if the number of bytes depends on the message."""
         return self.size is None or self.may_be_absent
+
+
+def all_fields(fields: tuple[Field, ...]) -> Iterator[Field]:
+    """The fields, each with those of its struct after it."""
+    for field in fields:
+        yield field
+        if isinstance(field.type, Struct):
+            yield from all_fields(field.type.fields)
 
 
 def field_rules(struct: Struct, path: str = "") -> Iterator[tuple[str, FieldRule]]:

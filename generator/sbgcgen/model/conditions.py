@@ -5,8 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, reduce
 from itertools import product
+from operator import or_
 from typing import Any
 
 from sbgcgen.model.packed_text import part_of
@@ -71,7 +72,7 @@ class Condition:
     @cached_property
     def mask(self) -> int:
         """The flags that must all be set."""
-        return _mask(self.flags)
+        return reduce(or_, (flag.value for flag in self.flags), 0)
 
     @property
     def subject(self) -> str:
@@ -143,13 +144,6 @@ class Condition:
             return self.holds((context or {}).get(self.source, 0))
         value = value_at((outside or {}) if self.is_outside else fields, self.source)
         return self.holds(None if value is None else int(value))
-
-
-def _mask(flags: tuple[EnumValue, ...]) -> int:
-    mask = 0
-    for flag in flags:
-        mask |= flag.value
-    return mask
 
 
 def value_at(fields: Mapping[str, Any], path: str) -> Any:

@@ -103,7 +103,6 @@ class Framing:
     errata: tuple[str, ...]
 
     def frame_size(self, body_size: int) -> int:
-        """Size of a frame in bytes."""
         return self.header_size + body_size + self.trailer_size
 
     @property

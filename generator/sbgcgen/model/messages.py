@@ -101,15 +101,12 @@ class Message:
     @property
     def failure(self) -> Field | None:
         """In an error form, the field with the reason of the failure."""
-        return next(
-            (
-                f
-                for f in self.fields
-                if self.form == "error" and isinstance(f.type, Enum) and f.type.success
-                if f.offset is not None and f.dim == "one" and not f.may_be_absent
-            ),
-            None,
-        )
+        for field in self.fields if self.form == "error" else ():
+            is_fixed = field.offset is not None and not field.may_be_absent
+            if is_fixed and field.dim == "one" and isinstance(field.type, Enum):
+                if field.type.success:
+                    return field
+        return None
 
     @property
     def room(self) -> int:

@@ -13,15 +13,8 @@ from sbgcgen.model.framing import Framing
 from sbgcgen.model.messages import Command, Family, Message, Settings
 from sbgcgen.model.names import KNOWN_FORMS
 from sbgcgen.model.position import NOWHERE, Position
-from sbgcgen.model.values import (
-    AxisDirection,
-    Enum,
-    Feature,
-    Identifier,
-    Packed,
-    Quantity,
-    Versions,
-)
+from sbgcgen.model.values import AxisDirection, Enum, Feature, Identifier, Packed, Quantity
+from sbgcgen.model.values import Versions
 from sbgcgen.model.variables import Variable
 
 
@@ -201,7 +194,6 @@ class Layout:
         return tuple(m for family in self.families for m in family.messages)
 
     def messages_of(self, command: str, direction: str) -> tuple[Message, ...]:
-        """The messages of a command in a direction."""
         return self._by_command.get((command, direction), ())
 
     @cached_property
@@ -241,30 +233,25 @@ class Layout:
         """Messages that define a type, in the order of families."""
         return tuple(m for family in self.families for m in family.definitions)
 
+    @property
+    def types(self) -> tuple[Enum | Packed | Quantity, ...]:
+        return *self.enums, *self.packed, *self.quantities
+
     @cached_property
     def settings(self) -> tuple[Settings, ...]:
         """The settings that can be read and stored, in the order of families."""
         stored = {m.stores for m in self.messages}
         bodies = {m.name: m.same_as or m.name for m in self.messages}
 
-        def requests(of: list[Message]) -> tuple[Message, ...]:
-            return tuple(sorted(of, key=lambda m: m.deprecated is not None))
-
-        return tuple(
-            Settings(
-                message,
-                requests(
-                    [
-                        m
-                        for m in self.messages
-                        if m.answer and message.name in (bodies.get(n) for n in m.answer.messages)
-                    ]
-                ),
-                requests([m for m in self.messages if m.stores == message.name]),
-            )
-            for message in self.definitions
-            if message.name in stored
-        )
+        requests = sorted(self.messages, key=lambda m: m.deprecated is not None)
+        asking = [(m, [bodies.get(n) for n in m.answer.messages]) for m in requests if m.answer]
+        found = []
+        for message in self.definitions:
+            if message.name in stored:
+                readers = tuple(m for m, answers in asking if message.name in answers)
+                writers = tuple(m for m in requests if m.stores == message.name)
+                found.append(Settings(message, readers, writers))
+        return tuple(found)
 
     @cached_property
     def forms(self) -> tuple[str, ...]:

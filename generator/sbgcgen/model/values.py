@@ -43,7 +43,7 @@ class Scalar:
     def is_signed(self) -> bool:
         return self.minimum is not None and self.minimum < 0
 
-    def holds(self, number: int) -> bool:
+    def holds(self, number: int | Fraction) -> bool:
         """True if a value of this type can be the number."""
         if self.minimum is None or self.maximum is None:
             return True

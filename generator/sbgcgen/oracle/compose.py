@@ -6,20 +6,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Any, Optional
 
-from sbgcgen.model import (
-    SCALARS,
-    Announced,
-    Blob,
-    Condition,
-    Context,
-    Field,
-    Message,
-    Struct,
-    Type,
-    conditions,
-    element_of,
-    satisfying,
-)
+from sbgcgen.model import SCALARS, Announced, Blob, Condition, Context, Field, Message, Struct, Type
+from sbgcgen.model import conditions, element_of, satisfying
 from sbgcgen.oracle.codec import LISTS, CodecError, Fields, is_bytes, keys_of, scalar_of
 from sbgcgen.oracle.edges import Edge, counting, edges, named_numbers, with_number
 from sbgcgen.oracle.encoding import counter_of, encode
@@ -42,7 +30,6 @@ class Places:
     known: dict[str, tuple[int, list[Edge], frozenset[int]]] = field(default_factory=dict)
 
     def number(self, path: str) -> int:
-        """The number of a place."""
         return self.numbers.setdefault(path, len(self.numbers))
 
     def at(self, path: str, member: Field, type_: Type) -> tuple[int, list[Edge], frozenset[int]]:

@@ -6,14 +6,7 @@ from dataclasses import replace
 from typing import Any
 
 from sbgcgen.model import SCALARS, Announced, Blob, Field, Message, Scalar, Struct, Type
-from sbgcgen.oracle.codec import (
-    LISTS,
-    CodecError,
-    Fields,
-    is_bytes,
-    keys_of,
-    scalar_of,
-)
+from sbgcgen.oracle.codec import LISTS, CodecError, Fields, is_bytes, keys_of, scalar_of
 from sbgcgen.oracle.json_values import float_from_bits, integer_of, text_from_bytes
 from sbgcgen.spec.resolve.sizes import size_of
 
@@ -240,7 +233,6 @@ def _size_of(type_: Type) -> int:
 
 
 def _read_some(field: Field, count: int, reader: _Reader) -> list[Any]:
-    """Elements of a field."""
     if field.scalar is None:
         return [_read_value(field.type, reader, field.name) for _ in range(count)]
     scalar = field.scalar

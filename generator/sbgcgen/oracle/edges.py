@@ -10,12 +10,7 @@ from typing import Any
 
 from sbgcgen.model import Blob, Enum, Field, Packed, Part, Scalar, Type
 from sbgcgen.oracle.codec import scalar_of
-from sbgcgen.oracle.json_values import (
-    float_from_bits,
-    float_to_bits,
-    integer_of,
-    text_from_bytes,
-)
+from sbgcgen.oracle.json_values import float_from_bits, float_to_bits, integer_of, text_from_bytes
 
 # A readable name, and the value in JSON.
 Edge = tuple[str, Any]

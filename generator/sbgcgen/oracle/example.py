@@ -3,33 +3,17 @@
 from __future__ import annotations
 
 import json
-import re
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
-from sbgcgen.model import (
-    SCALARS,
-    Announced,
-    Blob,
-    Enum,
-    Field,
-    Layout,
-    Message,
-    Packed,
-    Part,
-    Quantity,
-    Scalar,
-    Struct,
-    Type,
-    value_at,
-)
+from sbgcgen.model import SCALARS, Announced, Blob, Enum, Field, Layout, Message, Packed, Part
+from sbgcgen.model import Quantity, Scalar, Struct, Type, value_at
 from sbgcgen.model.packed_text import part_of, text_of
 from sbgcgen.oracle.json_values import plain
 from sbgcgen.oracle.codec import LISTS, Fields, is_bytes, keys_of, scalar_of
-from sbgcgen.oracle.frames import forms_of, write_frame
+from sbgcgen.oracle.frames import write_frame
 from sbgcgen.oracle.json_values import text_to_bytes
 from sbgcgen.oracle.vector_line import line
 from sbgcgen.oracle.vectors import typical_vector
@@ -99,6 +83,16 @@ class Example:
     trailer: bytes
     read: Example | None = None
 
+    def changed_bytes(self, piece: Piece) -> dict[int, int]:
+        """The bytes of a run that differ from those in `read`, if that has equally many, by index."""
+        before = (
+            next(p.data for p in self.read.pieces if p.path == piece.path) if self.read else b""
+        )
+        is_run = isinstance(piece.type, Blob) and piece.type.kind == "bytes"
+        if not is_run or len(before) != len(piece.data):
+            return {}
+        return {i: new for i, (old, new) in enumerate(zip(before, piece.data)) if old != new}
+
     @cached_property
     def changed(self) -> frozenset[str]:
         """The paths of the values that differ from those in `read`."""
@@ -141,7 +135,7 @@ def example_of(message: Message, layout: Layout) -> Example:
     """The example of a message, from its first readable test vector."""
     vector = typical_vector(message)
     assert vector.body is not None and vector.fields is not None
-    vector_line = json.loads(line(vector, forms_of(layout)))
+    vector_line = json.loads(line(vector, layout.messages_by_id))
     framing = layout.framing
     frame = write_frame(framing, message.id, vector.body)
     taker = _ValueReader(layout, vector.body, vector.fields)
@@ -295,11 +289,8 @@ class _ValueReader:
         known = next((v for v in self.layout.variables if v.id == number), None)
         if known is None or known.quantity is None:
             return ""
-        return (
-            ""
-            if known.quantity.is_plain and not known.quantity.unit
-            else physical(value, known.quantity)
-        )
+        is_bare = known.quantity.is_plain and not known.quantity.unit
+        return "" if is_bare else physical(value, known.quantity)
 
     def _quantity(self, field: Field, type_: Quantity, path: str) -> Quantity:
         other = field.alternative
@@ -371,8 +362,7 @@ def _packed_text(packed: Packed, raw: int) -> str:
 def _part_text(part: Part, raw: int) -> str:
     value = part_of(part, raw)
     if part.quantity is not None:
-        unit = f" {part.quantity.unit}" if part.quantity.unit else ""
-        return f"{part.name} {float(part.quantity.real(value)):g}{unit}"
+        return f"{part.name} {physical(value, part.quantity)}"
     if part.enum is None:
         return f"{part.name} {value}"
     if part.enum.kind == "flags":

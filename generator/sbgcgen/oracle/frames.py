@@ -5,15 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from sbgcgen.model import BODY, ID, SIZE, START, Framing, Layout, Message
+from sbgcgen.model import BODY, ID, SIZE, START, Framing, Message
 from sbgcgen.oracle.codec import CodecError
 
 Forms = Mapping[tuple[str, int], Sequence[Message]]
-
-
-def forms_of(layout: Layout) -> Forms:
-    """The messages of each direction and id."""
-    return layout.messages_by_id
 
 
 def choose_message(forms: Forms, direction: str, id: int, size: int) -> Message:
@@ -34,7 +29,6 @@ def choose_message(forms: Forms, direction: str, id: int, size: int) -> Message:
 
 
 def write_frame(framing: Framing, id: int, body: bytes) -> bytes:
-    """The frame with this body."""
     if id == 0:
         raise CodecError("invalid_id")
     if len(body) > framing.max_body:

@@ -3,7 +3,8 @@ other messages."""
 
 from __future__ import annotations
 
-from typing import Any
+from itertools import groupby
+from typing import Any, NamedTuple
 
 from sbgcgen.model import Announcement, Context, Enum, Field, Message, Packed, Struct, satisfying
 from sbgcgen.oracle.codec import CodecError, Fields
@@ -131,15 +132,10 @@ def announcing(announcement: Announcement, message: Message, types: list[str]) -
     """
     kind = _kind(announcement, message)
     values = {v.wire: v.value << kind.shift for v in kind.enum.values if v.wire}
-    runs: list[tuple[str, int]] = []
-    for name in types:
-        if runs and runs[-1][0] == name:
-            runs[-1] = (name, runs[-1][1] + 1)
-        else:
-            runs.append((name, 1))
+    kind_name = announcement.kind.partition(".")[0]
     elements: list[Fields] = []
-    for number, (name, count) in enumerate(runs):
-        kind_name = announcement.kind.partition(".")[0]
+    for number, (name, run) in enumerate(groupby(types)):
+        count = len(list(run))
         forced = {kind_name: values[name], announcement.count: count if count > 1 else number % 2}
         choice = Choice(Places(), short=True, forced=forced)
         elements.append(compose_fields(_element(announcement, message), choice))
@@ -147,13 +143,12 @@ def announcing(announcement: Announcement, message: Message, types: list[str]) -
     return compose(message, choice)
 
 
-class _Kind:
+class _Kind(NamedTuple):
     """The place of the type in an element."""
 
-    def __init__(self, enum: Enum, mask: int, shift: int) -> None:
-        self.enum = enum
-        self.mask = mask
-        self.shift = shift
+    enum: Enum
+    mask: int
+    shift: int
 
 
 def _element(announcement: Announcement, message: Message) -> Struct:

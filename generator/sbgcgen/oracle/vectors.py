@@ -11,18 +11,9 @@ from typing import Any, Optional
 
 from sbgcgen.model import Blob, Condition, Field, Message, Struct, conditions, satisfying, value_at
 from sbgcgen.oracle.codec import CodecError, Fields
-from sbgcgen.oracle.compose import (
-    Choice,
-    Places,
-    all_types,
-    compose,
-    counter_size,
-    documented_length,
-    first_that_fits,
-    full_context,
-    typical_context,
-    variable_parts,
-)
+from sbgcgen.oracle.compose import Choice, Places, all_types, compose, counter_size
+from sbgcgen.oracle.compose import documented_length, first_that_fits, full_context, typical_context
+from sbgcgen.oracle.compose import variable_parts
 from sbgcgen.oracle.decoding import decode
 from sbgcgen.oracle.encoding import encode
 from sbgcgen.oracle.room import has_room
@@ -154,14 +145,14 @@ class _Maker:
         """
         for choice in self.all_rounds({}, "free"):
             self.add(choice)
-        for case in self.cases():
+        for case in cases_of(self.message):
             for choice in self.all_rounds(case, "conditional"):
                 self.add(choice)
             if any(when.may_be_missing for when in conditions(self.message)):
                 self.add(self.choice(short=True, leave_out=True, **case), "without optional fields")
         for field in self.message.fields:
             if field.fits and field.scalar:
-                for case in self.cases():
+                for case in cases_of(self.message):
                     self.add(self.choice(fits=True, **case), f"with {field.name}")
                 for value in (field.scalar.minimum, field.scalar.maximum):
                     forced = {field.name: value}
@@ -270,7 +261,7 @@ class _Maker:
 
     def out_of_place(self) -> None:
         """Conditional fields that are present or missing contrary to their condition."""
-        for case in self.cases():
+        for case in cases_of(self.message):
             forced = case.get("forced", {})
             for source, value in forced.items():
                 other = self.value_of_no_condition(source, forced)
@@ -314,7 +305,6 @@ class _Maker:
         return next(values, None)
 
     def choice(self, **options: Any) -> Choice:
-        """A choice for this message."""
         return Choice(self.places, **options)
 
     def all_rounds(self, case: dict[str, Any], kind: str) -> Iterator[Choice]:
@@ -328,10 +318,6 @@ class _Maker:
             named |= getattr(last, f"named_of_{kind}")
         for number in sorted(named):
             yield self.choice(round=number, named=number, **case)
-
-    def cases(self) -> Iterator[dict[str, Any]]:
-        """For each condition, the options of a choice that satisfies it."""
-        return cases_of(self.message)
 
     # Results
 
@@ -400,6 +386,5 @@ class _Random:
         self.state = seed
 
     def between(self, low: int, high: int) -> int:
-        """A number from low to high."""
         self.state = (self.state * 6364136223846793005 + 1442695040888963407) % (1 << 64)
         return low + (self.state >> 33) % (max(low, high) - low + 1)

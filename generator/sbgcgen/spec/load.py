@@ -59,17 +59,15 @@ class Spec:
 
     main: Map
     families: dict[str, Map] = field(default_factory=dict)
-    errata: Map = field(default_factory=lambda: _empty(Position(f"spec/{_ERRATA}")))
+    errata: Map = field(default_factory=lambda: empty_map(Position(f"spec/{_ERRATA}")))
     files: list[Path] = field(default_factory=list)
 
     @property
     def main_file(self) -> str:
-        """The name of the main file."""
         return Path(self.main.position.file).name
 
     @property
     def command_prefix(self) -> str:
-        """The common prefix of the names of commands."""
         return str(self.main.get("protocol", {}).get("command_prefix", "CMD_"))
 
     @cached_property
@@ -101,7 +99,7 @@ def maps_in(node: Map | list[Any]) -> list[Map]:
     return found
 
 
-def _empty(position: Position) -> Map:
+def empty_map(position: Position) -> Map:
     result = Map()
     result.position = position
     result.keys_at = {}
@@ -149,7 +147,7 @@ class _Builder:
         return _scalar(node)
 
     def mapping(self, node: yaml.MappingNode) -> Map:
-        result = _empty(self.position(node))
+        result = empty_map(self.position(node))
         for key_node, value_node in node.value:
             if not isinstance(key_node, yaml.ScalarNode):
                 hint = "put quotes around a name that contains brackets or braces"
@@ -173,13 +171,13 @@ def _read(path: Path, name: str, found: Diagnostics) -> Map:
         content = path.read_bytes()
     except OSError as error:
         found.add(at, "SBGC001", f"cannot read the file: {error.strerror}")
-        return _empty(at)
+        return empty_map(at)
     try:
         text = content.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         at = _position_of(name, content[: error.start])
         found.add(at, "SBGC001", "the file is not UTF-8", "save it as UTF-8 in your editor")
-        return _empty(at)
+        return empty_map(at)
     for match in _INVISIBLE.finditer(text):
         at = _position_of(name, text[: match.start()].encode())
         what = f"U+{ord(match[0]):04X} {unicodedata.name(match[0], '')}".rstrip()
@@ -190,7 +188,7 @@ def _read(path: Path, name: str, found: Diagnostics) -> Map:
     except yaml.reader.ReaderError as error:
         at = _position_of(name, text.encode()[: error.position])
         found.add(at, "SBGC001", f"not valid YAML: {error.reason}", "delete the character")
-        return _empty(at)
+        return empty_map(at)
     except yaml.YAMLError as error:
         mark = getattr(error, "problem_mark", None)
         if mark is not None:
@@ -198,15 +196,15 @@ def _read(path: Path, name: str, found: Diagnostics) -> Map:
         problem = getattr(error, "problem", None) or str(error)
         hint = _advice(text, mark, getattr(error, "context_mark", None))
         found.add(at, "SBGC001", f"not valid YAML: {problem}", hint)
-        return _empty(at)
+        return empty_map(at)
     if not isinstance(root, yaml.MappingNode) or not root.value:
         found.add(at, "SBGC001", "a spec file is a mapping", "start with 'family:' or 'protocol:'")
-        return _empty(at)
+        return empty_map(at)
     try:
         built = _Builder(name, found).build(root)
     except RecursionError:
         found.add(at, "SBGC001", "not valid YAML: nested too deeply", "check brackets and braces")
-        return _empty(at)
+        return empty_map(at)
     assert isinstance(built, Map)
     return built
 
@@ -250,7 +248,7 @@ def load(spec_dir: Path, found: Diagnostics) -> Spec:
         spec.files.append(path)
         return _read(path, f"{spec_dir.name}/{file}", found)
 
-    spec = Spec(main=_empty(Position(spec_dir.name)))
+    spec = Spec(main=empty_map(Position(spec_dir.name)))
     main_file = _main_file(spec_dir)
     if main_file is None:
         text, hint = (

@@ -90,7 +90,6 @@ class Reference:
 
     @property
     def page(self) -> str:
-        """The path of its page."""
         return f"reference/{self.word}.html"
 
 
@@ -158,7 +157,6 @@ def targets() -> tuple[Target, ...]:
 
 
 def target(name: str) -> Target:
-    """The target in the folder `name`."""
     return next(t for t in targets() if t.name == name)
 
 

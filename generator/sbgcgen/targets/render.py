@@ -38,12 +38,12 @@ def _fail(message: str) -> None:
 
 
 @cache
-def _environment(folder: Path) -> jinja2.Environment:
+def environment(target: Target) -> jinja2.Environment:
     """The environment of a target; it caches compiled templates."""
-    loader = jinja2.FileSystemLoader(folder / "templates")
+    loader = jinja2.FileSystemLoader(target.templates)
     shared = jinja2.FileSystemLoader(Path(views.__file__).parent)
     environment = jinja2.Environment(
-        loader=jinja2.PrefixLoader({folder.name: loader, "views": shared}),
+        loader=jinja2.PrefixLoader({target.name: loader, "views": shared}),
         undefined=jinja2.StrictUndefined,
         trim_blocks=True,
         lstrip_blocks=True,
@@ -55,11 +55,6 @@ def _environment(folder: Path) -> jinja2.Environment:
     environment.tests.update(TESTS)
     environment.globals["fail"] = _fail
     return environment
-
-
-def environment(target: Target) -> jinja2.Environment:
-    """The Jinja environment of a target."""
-    return _environment(target.folder)
 
 
 def render(target: Target, layout: Layout, project: Path) -> Iterator[tuple[str, bytes]]:

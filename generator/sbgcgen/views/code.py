@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import keyword
 from fractions import Fraction
+from functools import reduce
+from operator import or_
 
 from sbgcgen.model import Enum, EnumValue, Packed, Part, Quantity
 from sbgcgen.model.packed_text import part_of
@@ -56,17 +58,13 @@ def decimal(raw: int, quantity: Quantity) -> str:
 
 
 def value_named(enum: Enum, value: int) -> EnumValue | None:
-    """The enumerator of a value."""
     return next((v for v in enum.values if v.value == value), None)
 
 
 def flags_of(enum: Enum, bits: int) -> list[EnumValue]:
     """The flags that make these bits; none if they do not make all of them."""
     found = [v for v in enum.values if v.value and bits & v.value == v.value]
-    covered = 0
-    for flag in found:
-        covered |= flag.value
-    return found if covered == bits else []
+    return found if reduce(or_, (flag.value for flag in found), 0) == bits else []
 
 
 def parts_that_make(packed: Packed, raw: int) -> list[tuple[Part, int]] | None:

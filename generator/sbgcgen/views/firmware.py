@@ -5,19 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from typing import Any
 
-from sbgcgen.model import (
-    NOWHERE,
-    Availability,
-    Command,
-    Enum,
-    EnumValue,
-    Framing,
-    Later,
-    Layout,
-    Message,
-    Variable,
-)
+from sbgcgen.model import NOWHERE, Availability, Command, Enum, EnumValue, Framing, Later, Layout
+from sbgcgen.model import Message, Variable
 from sbgcgen.model.packed_text import part_of, raw_of, text_of
 from sbgcgen.views.rows import Row, rows_of
 
@@ -73,33 +64,27 @@ class History:
         self._of: dict[tuple[int, int], News] = {}
         self._layout = layout
         for framing in layout.framings:
-            for news in self._at(framing.since):
-                news.framings.append(framing)
+            self._note(framing.since, "framings", framing)
         for message in layout.definitions:
             self._add_message(message)
         for command in layout.commands:
-            for news in self._at(command.since):
-                news.commands.append(command)
+            self._note(command.since, "commands", command)
         for enum in layout.enums:
             # The ids of commands and variables derive from these, and have no place of their own.
             for value in enum.values if enum.at is not NOWHERE else ():
-                former = value.former.firmware if value.former else Availability()
-                for news in self._at(former):
-                    news.changed.append((enum, value))
-                for news in self._at(value.since) if value.since != former else ():
-                    news.enum_values.append((enum, value))
+                former = value.former.firmware if value.former else None
+                self._note(former, "changed", (enum, value))
+                if value.since != former:
+                    self._note(value.since, "enum_values", (enum, value))
         for variable in layout.variables:
-            for news in self._at(variable.since):
-                news.variables.append(variable)
+            self._note(variable.since, "variables", variable)
 
     @property
     def of_boards(self) -> list[News]:
-        """The news of each board version."""
         return [self._of[key] for key in sorted(self._of) if key[1]]
 
     @property
     def of_firmware(self) -> list[News]:
-        """The news of each firmware version."""
         return [self._of[key] for key in sorted(self._of) if key[0]]
 
     @property
@@ -150,24 +135,24 @@ class History:
                 key = (number, 0) if kind == "firmware" else (0, number)
                 yield self._of.setdefault(key, News(Availability(**{kind: number}, **text)))
 
+    def _note(self, since: Availability | None, kind: str, thing: Any) -> None:
+        """Add something to a list of the news of these versions."""
+        for news in self._at(since or Availability()):
+            getattr(news, kind).append(thing)
+
     def _add_message(self, message: Message) -> None:
-        for news in self._at(message.since):
-            news.messages.append(message)
-        for news in self._at(message.until.versions if message.until else Availability()):
-            news.ended.append(message)
-        deprecated = message.deprecated
-        for news in self._at(deprecated.since if deprecated else Availability()):
-            news.deprecated_messages.append(message)
+        self._note(message.since, "messages", message)
+        self._note(message.until.versions if message.until else None, "ended", message)
+        mark = message.deprecated
+        self._note(mark.since if mark else None, "deprecated_messages", message)
         for row in rows_of(message) if not message.same_as else ():
             for news in self._at(row.field.since):
                 if news.since.is_after(message.since):
                     news.fields.append((message, row))
             for later in row.field.later:
-                for news in self._at(later.since):
-                    news.meanings.append((message, row, later))
+                self._note(later.since, "meanings", (message, row, later))
             mark = row.field.deprecated
-            for news in self._at(mark.since if mark else Availability()):
-                news.deprecated.append((message, row))
+            self._note(mark.since if mark else None, "deprecated", (message, row))
 
 
 def deprecated_always(layout: Layout) -> list[tuple[Message, Row]]:

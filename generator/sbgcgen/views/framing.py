@@ -93,7 +93,6 @@ class Sum:
 
 
 def sums_in(frame: bytes, framing: Framing) -> list[Sum]:
-    """The checksums of a frame."""
     body_end = len(frame) - framing.trailer_size
     parts = {BODY: frame[framing.header_size : body_end]}
     for part in (*framing.header, *framing.trailer):

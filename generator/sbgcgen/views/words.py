@@ -7,22 +7,8 @@ from collections.abc import Callable, Iterable
 from fractions import Fraction
 from typing import Any
 
-from sbgcgen.model import (
-    Announced,
-    Availability,
-    AxisDirection,
-    Blob,
-    Enum,
-    Field,
-    Leaf,
-    Message,
-    Packed,
-    Quantity,
-    Scalar,
-    StopValue,
-    Struct,
-    field_rules,
-)
+from sbgcgen.model import Announced, Availability, AxisDirection, Blob, Enum, Field, Leaf, Message
+from sbgcgen.model import Packed, Quantity, Scalar, StopValue, Struct, field_rules, scalar_of
 from sbgcgen.model.names import slug
 from sbgcgen.model.export import export
 from sbgcgen.views.framing import crc_text, frame_parts, sums_in
@@ -108,6 +94,21 @@ def body_size(message: Message) -> str:
     return "0 or 1 byte" if high == 1 else f"{low} to {high} bytes"
 
 
+def narrow_range(field: Field) -> str:
+    """The range of a field in its unit, if it is narrower than that of its type: '-90 to 90 deg'."""
+    scalar = scalar_of(field.type)
+    if field.constant or field.minimum is None or field.maximum is None or scalar is None:
+        return ""
+    if field.minimum == scalar.minimum and field.maximum == scalar.maximum:
+        return ""
+    limits = [field.minimum, field.maximum]
+    unit = ""
+    if isinstance(field.type, Quantity):
+        limits = [field.type.real(limit) for limit in limits]
+        unit = f" {field.type.unit}" if field.type.unit else ""
+    return " to ".join(f"{float(limit):.6g}" for limit in limits) + unit
+
+
 def default_words(field: Field) -> list[str]:
     """The value of a field in a new message: a number, or the names of an enum value or of flags."""
     type_ = field.type
@@ -171,6 +172,7 @@ FILTERS: dict[str, Callable[..., Any]] = {
     "title_of": title_of,
     "body_size": body_size,
     "default_words": default_words,
+    "narrow_range": narrow_range,
     "rules_in": rules_in,
     "positive_text": positive_text,
     "directions_text": directions_text,

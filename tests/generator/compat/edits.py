@@ -57,6 +57,11 @@ def _cases(name: str) -> Iterator[tuple[str, Case]]:
 
 CASES = dict([*_cases("changes"), *_cases("growth")])
 OLD = CASES["id"].old
+WITHOUT_AIM = OLD[: OLD.index("  CMD_AIM:")] + OLD[OLD.index("variables:") :]
+
+
+def line_of(line: str, text: str = OLD) -> int:
+    return 1 + text.splitlines().index(line)
 
 
 def edited_spec(folder: Path, old: str, edits: Edits) -> Path:

@@ -7,13 +7,13 @@ from pathlib import Path
 
 import pytest
 
-from edits import BASE, CASES, OLD, edited_spec
+from edits import BASE, CASES, OLD, edited_spec, line_of
 from sbgcgen.build import load_layout
 from sbgcgen.cli import main
 from sbgcgen.compat.changes import Level
 from sbgcgen.compat.compare import compare
 from sbgcgen.compat.report import describe
-from support import PROJECT, commit, git, start_repository, write_spec
+from support import PROJECT, Capture, commit, git, start_repository, write_spec
 
 
 def old_spec(folder: Path) -> Path:
@@ -53,16 +53,14 @@ def test_what_was_appended_must_stay_optional(tmp_path: Path) -> None:
     assert found[0][0] is Level.WIRE and "State.MORE: may be absent: yes → no" in found[0][1]
 
 
-def test_nothing_changed(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_nothing_changed(tmp_path: Path, capsys: Capture) -> None:
     old, new = old_spec(tmp_path / "old"), old_spec(tmp_path / "new")
     assert main(["compat", str(old), str(new)]) == 0
     nothing = "0 wire-breaking, 0 meaning-breaking, 0 source-breaking, 0 compatible\n"
     assert capsys.readouterr().out == nothing
 
 
-def test_every_class_has_its_line_and_position(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_every_class_has_its_line_and_position(tmp_path: Path, capsys: Capture) -> None:
     edits = [
         ("id: 11", "id: 21"),
         ("unit: deg,", "unit: rad,"),
@@ -73,19 +71,17 @@ def test_every_class_has_its_line_and_position(
     assert main(["compat", str(old), str(new)]) == 1
     lines = capsys.readouterr().out.splitlines()
     assert [line.partition(": ")[0] for line in lines[:2]] == ["wire-breaking", "meaning-breaking"]
-    line = 1 + OLD.splitlines().index("  CMD_MOVE:")
+    line = line_of("  CMD_MOVE:")
     assert lines[0].endswith(f"command CMD_MOVE: id: 11 → 21  [{new}/probe.yaml:{line}:3]")
     assert lines[-1] == "1 wire-breaking, 1 meaning-breaking, 1 source-breaking, 2 compatible"
 
 
-def test_a_deletion_has_its_position_in_the_old_spec(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_deletion_has_its_position_in_the_old_spec(tmp_path: Path, capsys: Capture) -> None:
     old, new = old_spec(tmp_path / "old"), edited_spec(
         tmp_path / "new", OLD, CASES["command deleted"].edits
     )
     assert main(["compat", str(old), str(new)]) == 1
-    line = 1 + OLD.splitlines().index("  CMD_MOVE:")
+    line = line_of("  CMD_MOVE:")
     assert f"[{old}/probe.yaml:{line}:3]" in capsys.readouterr().out
 
 
@@ -96,7 +92,7 @@ def test_a_compatible_change_passes(tmp_path: Path) -> None:
     assert main(["compat", str(old), str(new)]) == 0
 
 
-def test_a_spec_that_does_not_load(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_spec_that_does_not_load(tmp_path: Path, capsys: Capture) -> None:
     old = old_spec(tmp_path / "old")
     new = edited_spec(tmp_path / "new", OLD, [("type: AxisState", "type: AxisStat")])
     assert main(["compat", str(old), str(new)]) == 1
@@ -120,21 +116,19 @@ def repository(tmp_path: Path) -> Path:
     return root
 
 
-def test_two_revisions(repository: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_two_revisions(repository: Path, capsys: Capture) -> None:
     assert main(["compat", "--root", str(repository), "v1", "v2"]) == 1
-    line = 1 + BASE.splitlines().index("  Angle:")
+    line = line_of("  Angle:", BASE)
     words = f"meaning-breaking: quantity Angle: unit: deg → rad  [v2:spec/base.yaml:{line}:3]"
     assert words in capsys.readouterr().out
 
 
-def test_a_revision_and_the_working_tree(
-    repository: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_revision_and_the_working_tree(repository: Path, capsys: Capture) -> None:
     assert main(["compat", "--root", str(repository), "HEAD"]) == 0
     edited_spec(repository, OLD, CASES["command deleted"].edits)
     assert main(["compat", "--root", str(repository), "v1"]) == 1
     output = capsys.readouterr().out
-    line = 1 + OLD.splitlines().index("  CMD_MOVE:")
+    line = line_of("  CMD_MOVE:")
     assert f"command CMD_MOVE: 11 → deleted  [v1:spec/probe.yaml:{line}:3]" in output
 
 
@@ -149,9 +143,7 @@ def test_the_project_lies_in_a_folder_of_the_repository(tmp_path: Path) -> None:
     assert main(["compat", "--root", str(project), "HEAD"]) == 1
 
 
-def test_a_spec_folder_of_another_name(
-    repository: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_spec_folder_of_another_name(repository: Path, capsys: Capture) -> None:
     git(repository, "mv", "spec", "protocol")
     commit(repository, "v3")
     options = ["--root", str(repository), "--spec", str(repository / "protocol")]
@@ -169,9 +161,7 @@ def test_a_spec_folder_of_another_name(
         ("v1 --output=x", "is neither a folder nor a revision"),
     ],
 )
-def test_an_unknown_revision(
-    repository: Path, capsys: pytest.CaptureFixture[str], revision: str, words: str
-) -> None:
+def test_an_unknown_revision(repository: Path, capsys: Capture, revision: str, words: str) -> None:
     assert main(["compat", "--root", str(repository), revision]) == 2
     assert words in capsys.readouterr().err
 

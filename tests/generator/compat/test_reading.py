@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from edits import OLD
+from edits import OLD, WITHOUT_AIM, line_of
 from sbgcgen.build import load_layout
 from sbgcgen.cli import main
 from sbgcgen.compat import reading
@@ -17,7 +17,7 @@ from sbgcgen.compat.compare import compare
 from sbgcgen.compat.dump import dump
 from sbgcgen.compat.reading import restore
 from sbgcgen.model import AnswerCase, Layout
-from support import GENERATOR, HERE, PROJECT, commit, git, start_repository, write_spec
+from support import GENERATOR, HERE, PROJECT, Capture, commit, git, start_repository, write_spec
 
 EARLIER = HERE / "compat" / "earlier_model.json"
 
@@ -131,27 +131,23 @@ def of_another_language(tmp_path: Path) -> Path:
     return root
 
 
-def test_a_revision_in_another_language(project: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_revision_in_another_language(project: Path, capsys: Capture) -> None:
     assert main(["compat", "--root", str(project), "v1"]) == 0
     write_spec(project, OLD.replace("id: 11", "id: 21"))
     assert main(["compat", "--root", str(project), "v1"]) == 1
     assert "wire-breaking: command CMD_MOVE: id: 11 → 21" in capsys.readouterr().out
 
 
-def test_a_deletion_has_its_place_in_the_old_language(
-    project: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    write_spec(project, OLD[: OLD.index("  CMD_AIM:")] + OLD[OLD.index("variables:") :])
+def test_a_deletion_has_its_place_in_the_old_language(project: Path, capsys: Capture) -> None:
+    write_spec(project, WITHOUT_AIM)
     assert main(["compat", "--root", str(project), "v1"]) == 1
-    line = 1 + OLD.splitlines().index("  CMD_AIM:")
+    line = line_of("  CMD_AIM:")
     assert (
         f"command CMD_AIM: 15 → deleted  [v1:spec/probe.yaml:{line}:3]" in capsys.readouterr().out
     )
 
 
-def test_a_revision_that_its_own_generator_refuses(
-    project: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_revision_that_its_own_generator_refuses(project: Path, capsys: Capture) -> None:
     git(project, "checkout", "--quiet", "v1", "--", "generator")
     spec = project / "spec" / "probe.yaml"
     spec.write_text(OLD.replace("type: AxisState", "type: AxisStat"), encoding="utf-8")

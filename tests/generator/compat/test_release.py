@@ -6,25 +6,14 @@ from pathlib import Path
 
 import pytest
 
-from edits import CASES, OLD
+from edits import CASES, OLD, WITHOUT_AIM, line_of
 from sbgcgen import library
 from sbgcgen.build import load_layout
 from sbgcgen.cli import main
 from sbgcgen.compat.compare import compare
-from sbgcgen.compat.release import (
-    NAME,
-    Release,
-    Step,
-    Version,
-    fingerprint_of,
-    lowest_version,
-    parse,
-    read,
-    write,
-)
-from support import PROJECT, write_spec
-
-Capture = pytest.CaptureFixture[str]
+from sbgcgen.compat.release import NAME, Release, Step, Version, fingerprint_of, lowest_version
+from sbgcgen.compat.release import parse, read, write
+from support import PROJECT, Capture, write_spec
 
 SAME = OLD
 REWORDED = OLD.replace("summary: How often.", "summary: Number of times.")
@@ -109,7 +98,7 @@ def test_changes_need_a_version(
 def test_the_changes_are_listed(project: Path, capsys: Capture) -> None:
     check(project, BROKEN, "0.2.0")
     lines = capsys.readouterr().out.splitlines()
-    line = 1 + OLD.splitlines().index("  CMD_MOVE:")
+    line = line_of("  CMD_MOVE:")
     assert lines[0] == (f"wire-breaking: command CMD_MOVE: id: 11 → 21  [spec/probe.yaml:{line}:3]")
     assert lines[-1].startswith("fingerprint: ")
     write_spec(project, OLD.replace("CMD_AIM", "CMD_TURN"))
@@ -118,9 +107,8 @@ def test_the_changes_are_listed(project: Path, capsys: Capture) -> None:
 
 
 def test_a_deletion_is_found_in_the_release(project: Path, capsys: Capture) -> None:
-    without = OLD[: OLD.index("  CMD_AIM:")] + OLD[OLD.index("variables:") :]
-    check(project, without, "0.2.0")
-    line = 1 + OLD.splitlines().index("  CMD_AIM:")
+    check(project, WITHOUT_AIM, "0.2.0")
+    line = line_of("  CMD_AIM:")
     assert f"15 → deleted  [0.1.0:spec/probe.yaml:{line}:3]" in capsys.readouterr().out
 
 

@@ -4,15 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from sbgcgen.model.names import (
-    camel_case,
-    is_name,
-    parse_field_name,
-    parse_lines,
-    singular,
-    snake_case,
-    type_advice,
-)
+from sbgcgen.model.names import camel_case, is_name, parse_field_name, parse_lines, singular
+from sbgcgen.model.names import snake_case, type_advice
 
 
 @pytest.mark.parametrize(

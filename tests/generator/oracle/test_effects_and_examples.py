@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from sbgcgen.build import load_protocol
-from sbgcgen.model import USUAL_EFFECTS
+from sbgcgen.model import USUAL_EFFECTS, Layout
 from sbgcgen.model.export import export
 from sbgcgen.oracle.example import example_of
 from sbgcgen.oracle.vectors import typical_vector
@@ -55,8 +55,16 @@ commands:
 """
 
 
-def typical_fields(layout: Any, name: str) -> Any:
+def typical_fields(layout: Layout, name: str) -> Any:
     return typical_vector(message_of(layout, name)).fields
+
+
+def cpp_of(layout: Layout) -> list[str]:
+    """The lines of the example in C++ that change the message."""
+    example = example_of(message_of(layout, "Write"), layout)
+    lines = next(c for c in codes_of(example) if c.word == "cpp").text.splitlines()
+    assert "sbgc::msg::Write message{read};" in lines
+    return [line for line in lines if line.startswith("message.")]
 
 
 def test_what_is_written_is_what_was_read_but_for_the_example(tmp_path: Path) -> None:
@@ -74,13 +82,7 @@ def test_what_is_written_is_what_was_read_but_for_the_example(tmp_path: Path) ->
     }
     example = example_of(message_of(layout, "Write"), layout)
     assert example.changed == {"volume", "limits[0].min"}
-    code = next(c for c in codes_of(example) if c.word == "cpp")
-    lines = code.text.splitlines()
-    assert "sbgc::msg::Write message{read};" in lines
-    assert [line for line in lines if line.startswith("message.")] == [
-        "message.volume = 0;",
-        "message.limits[0].min = -30;",
-    ]
+    assert cpp_of(layout) == ["message.volume = 0;", "message.limits[0].min = -30;"]
 
 
 def test_single_bytes_of_what_was_read_are_changed(tmp_path: Path) -> None:
@@ -88,12 +90,7 @@ def test_single_bytes_of_what_was_read_are_changed(tmp_path: Path) -> None:
     new = '        - {name: KEY, type: "bytes[16]", typical: "0a0b0c", summary: A key.}\n'
     changes = 'example: {key: "0a0b0d", "limits[0].min": -30}'
     text = SETTINGS.replace(old, new).replace('example: {volume: 0, "limits[0].min": -30}', changes)
-    layout = layout_of(tmp_path, text)
-    code = next(
-        c for c in codes_of(example_of(message_of(layout, "Write"), layout)) if c.word == "cpp"
-    )
-    lines = code.text.splitlines()
-    assert [line for line in lines if line.startswith("message.")] == [
+    assert cpp_of(layout_of(tmp_path, text)) == [
         "message.key[2] = 0x0D;",
         "message.limits[0].min = -30;",
     ]

@@ -11,7 +11,7 @@ from sbgcgen.model import Layout
 from sbgcgen.oracle.codec import CodecError, Fields
 from sbgcgen.oracle.decoding import decode
 from sbgcgen.oracle.encoding import encode
-from sbgcgen.oracle.frames import choose_message, forms_of, read_frames, write_frame
+from sbgcgen.oracle.frames import choose_message, read_frames, write_frame
 from support import PROJECT, project_layout
 
 Vector = dict[str, Any]
@@ -49,7 +49,7 @@ def values_of(value: Any) -> list[Any]:
 
 def values_named(layout: Layout, id_: int, direction: str, body: bytes, name: str) -> list[Any]:
     """Returns what a body has under a name of the protocol."""
-    message = choose_message(forms_of(layout), direction, id_, len(body))
+    message = choose_message(layout.messages_by_id, direction, id_, len(body))
     fields: Fields = decode(message, body)
     paths = [
         leaf.path for leaf in message.leaves if leaf.spec_name == name and "[]" not in leaf.path
@@ -73,7 +73,7 @@ def test_the_reference_codec_agrees(vector: Vector, layout: Layout) -> None:
         bodies = [(frame.id, frame.body) for frame in read_frames([layout.framing], data)]
         assert len(bodies) == (1 if vector["expect"] == "valid" else 0)
     for id_, body in bodies:
-        message = choose_message(forms_of(layout), direction, id_, len(body))
+        message = choose_message(layout.messages_by_id, direction, id_, len(body))
         try:
             fields = decode(message, body)
         except CodecError as error:
@@ -86,7 +86,7 @@ def test_the_reference_codec_agrees(vector: Vector, layout: Layout) -> None:
 @pytest.mark.parametrize("frame", VENDOR, ids=meaning_of)
 def test_the_body_of_the_vendor_decodes(frame: Vector, layout: Layout) -> None:
     (found,) = read_frames(layout.framings, bytes.fromhex(frame["hex"]))
-    message = choose_message(forms_of(layout), frame["direction"], found.id, len(found.body))
+    message = choose_message(layout.messages_by_id, frame["direction"], found.id, len(found.body))
     fields = decode(message, found.body)
     assert encode(message, fields) == found.body
     assert "tail" not in fields
@@ -113,7 +113,7 @@ def test_a_frame_of_v2_and_its_body(frame: Vector, layout: Layout) -> None:
     body = data[HEADER:-TRAILER]
     assert (start, check, len(body)) == (ord("$"), (id_ + size) % 256, size)
     assert int.from_bytes(data[-TRAILER:], "little") == crc16(data[1:-TRAILER])
-    message = choose_message(forms_of(layout), frame["direction"], id_, size)
+    message = choose_message(layout.messages_by_id, frame["direction"], id_, size)
     assert message.command == frame["command"]
     assert decode(message, body) == frame["fields"]
     assert encode(message, frame["fields"]) == body

@@ -12,31 +12,14 @@ from typing import Any
 
 import pytest
 
-from sbgcgen.model import (
-    Announced,
-    Blob,
-    Checksum,
-    Crc,
-    Enum,
-    Field,
-    Framing,
-    Layout,
-    Leaf,
-    Message,
-    Packed,
-    Struct,
-)
+from sbgcgen.model import Announced, Blob, Checksum, Crc, Enum, Field, Framing, Layout, Leaf
+from sbgcgen.model import Message, Packed, Struct
 from sbgcgen.oracle.codec import CodecError
 from sbgcgen.oracle.decoding import decode
 from sbgcgen.oracle.encoding import encode
-from sbgcgen.oracle.frames import choose_message, forms_of, header_of, read_frames, write_frame
-from sbgcgen.oracle.json_values import (
-    float_from_bits,
-    float_to_bits,
-    plain,
-    text_from_bytes,
-    text_to_bytes,
-)
+from sbgcgen.oracle.frames import choose_message, header_of, read_frames, write_frame
+from sbgcgen.oracle.json_values import float_from_bits, float_to_bits, plain, text_from_bytes
+from sbgcgen.oracle.json_values import text_to_bytes
 from sbgcgen.targets import target
 from support import PROJECT, layout_of, message_of, project_layout
 
@@ -420,7 +403,7 @@ def test_bodies_that_are_no_message_have_vectors() -> None:
 
 def test_every_message_has_a_seed_that_decodes() -> None:
     layout = project_layout()
-    forms = forms_of(layout)
+    forms = layout.messages_by_id
     found = set()
     for name, content in target("seeds").files(layout, PROJECT):
         if name.startswith("messages/"):

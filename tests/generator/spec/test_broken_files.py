@@ -14,10 +14,10 @@ from broken_yaml import LIMIT, broken, outcome
 from sbgcgen.build import load_protocol
 from sbgcgen.cli import main
 from sbgcgen.targets import outputs
-from support import HERE, findings, write_spec
+from support import HERE, Capture, findings, write_spec
 
 
-def report(spec: Path, capsys: pytest.CaptureFixture[str]) -> list[str]:
+def report(spec: Path, capsys: Capture) -> list[str]:
     """Returns the output of `lint` for a spec, which must fail."""
     assert main(["lint", "--spec", str(spec)]) == 1
     output = capsys.readouterr()
@@ -81,7 +81,7 @@ def test_files_that_are_not_there(
     damage: Callable[[Path], None],
     lines: list[str],
     tmp_path: Path,
-    capsys: pytest.CaptureFixture[str],
+    capsys: Capture,
 ) -> None:
     spec = write_spec(tmp_path)
     damage(spec)

@@ -24,7 +24,7 @@ import pytest
 
 from sbgcgen.cli import main
 from sbgcgen.model import Position
-from support import GENERATOR, HERE, PROBE, findings, indentation, probe, write_spec
+from support import GENERATOR, HERE, PROBE, Capture, findings, indentation, probe, write_spec
 
 _FOUND = re.compile(r"( *)(?:\^|@ (.+):(\d+):(\d+)) (?:(SBGC\d{3}) )?(.+) \| (.+)\n")
 
@@ -107,9 +107,7 @@ FIXTURES = [f for section in _SECTIONS[1:] for f in read(section, dict(_BASES))]
 
 
 @pytest.mark.parametrize("fixture", FIXTURES, ids=lambda f: f"{f.rule}_{f.name}")
-def test_exactly_the_expected_findings(
-    fixture: Fixture, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_exactly_the_expected_findings(fixture: Fixture, tmp_path: Path, capsys: Capture) -> None:
     spec = write_spec(tmp_path, fixture.text, fixture.file)
     assert main(["generate", "--spec", str(spec), "--output", str(tmp_path / "out")]) == 1
     assert not (tmp_path / "out").exists(), "a broken spec must not be generated from"

@@ -22,7 +22,7 @@ FORMS = """\
       errata: [E001]
       answer: none
       forms:
-        simple:
+        simple: {summary: Move a bit.}
         extended:
           since: {firmware: 2.61}
           summary: Move further.
@@ -44,7 +44,7 @@ FORMS = """\
 
 
 def test_forms(tmp_path: Path) -> None:
-    layout = layout_of(tmp_path, FORMS.replace("simple:\n", "simple: {summary: Move a bit.}\n"))
+    layout = layout_of(tmp_path, FORMS)
     assert [(m.name, m.direction, m.form, m.max_size) for m in layout.messages if m.id == 9] == [
         ("Move", "from_board", "success", 2),
         ("MoveFailure", "from_board", "error", 1),
@@ -59,14 +59,14 @@ def test_forms(tmp_path: Path) -> None:
 
 
 def test_only_the_longest_form_keeps_a_tail(tmp_path: Path) -> None:
-    layout = layout_of(tmp_path, FORMS.replace("simple:\n", "simple: {summary: Move a bit.}\n"))
+    layout = layout_of(tmp_path, FORMS)
     assert message_of(layout, "Move").keeps_tail
     assert not message_of(layout, "MoveFailure").keeps_tail
     assert not message_of(layout, "MoveRequestExt").keeps_tail, "requests stay small"
 
 
 def test_the_largest_form_of_a_request_takes_surplus(tmp_path: Path) -> None:
-    layout = layout_of(tmp_path, FORMS.replace("simple:\n", "simple: {summary: Move a bit.}\n"))
+    layout = layout_of(tmp_path, FORMS)
     requests = layout.messages_of("CMD_MOVE", "to_board")
     assert [message.takes_surplus for message in requests] == [False, True]
     assert not any(

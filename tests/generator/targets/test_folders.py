@@ -3,17 +3,14 @@
 from __future__ import annotations
 
 import ast
-import os
 import shutil
-import subprocess
-import sys
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
 from sbgcgen.targets import HERE, target, targets
-from support import GENERATOR, PROJECT, write_spec
+from support import GENERATOR, PROJECT, files_in, run_generator, write_spec
 
 NAMES = [target.name for target in targets()]
 # Packages from the lowest to the highest layer; a module uses only its own package and lower ones.
@@ -61,26 +58,11 @@ def copied(tmp_path: Path) -> Path:
     return copy
 
 
-def run(generator: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
-    """Runs a copy of the generator in a separate process."""
-    return subprocess.run(
-        [sys.executable, "-m", "sbgcgen", *arguments],
-        env={**os.environ, "PYTHONPATH": str(generator), "PYTHONDONTWRITEBYTECODE": "1"},
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-
-
 def output_of(generator: Path, spec: Path, folder: Path) -> dict[str, bytes]:
-    at = ["--root", str(spec.parent), "--spec", str(spec), "--output", str(folder)]
-    done = run(generator, "generate", *at)
+    at = ["--root", spec.parent, "--spec", spec, "--output", folder]
+    done = run_generator("generate", *at, generator=generator)
     assert done.returncode == 0, done.stderr
-    return {
-        path.relative_to(folder).as_posix(): path.read_bytes()
-        for path in folder.rglob("*")
-        if path.is_file()
-    }
+    return files_in(folder)
 
 
 @pytest.fixture(name="before", scope="module")
@@ -109,7 +91,8 @@ def test_a_folder_is_all_that_a_target_takes(
     assert after["toys/base.txt"].endswith(b"\nUSE\n") and b"Ping 1\n" in after["toys/base.txt"]
     assert before.items() <= after.items()
     # The site shows examples in any language.
-    site = run(generator, "site", "--spec", str(spec), "--output", str(tmp_path / "site"))
+    at = ["--spec", spec, "--output", tmp_path / "site"]
+    site = run_generator("site", *at, generator=generator)
     assert site.returncode == 0, site.stderr
     assert "play(Use)" in (tmp_path / "site/messages/use.html").read_text(encoding="utf-8")
 
@@ -121,9 +104,9 @@ def test_rules_of_a_target_are_checked(generator: Path, tmp_path: Path) -> None:
         "    from_board:\n      source: L1\n"
         "      fields:\n        - {name: A, type: u8, summary: A number.}\n",
     )
-    assert run(generator, "lint", "--spec", str(spec)).returncode == 0
+    assert run_generator("lint", "--spec", spec, generator=generator).returncode == 0
     add_toy(generator)
-    done = run(generator, "lint", "--spec", str(spec))
+    done = run_generator("lint", "--spec", spec, generator=generator)
     assert done.returncode == 1
     assert "SBGC022 'Toy' cannot be a name in toys" in done.stderr
 

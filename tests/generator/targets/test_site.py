@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import os
 import re
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
@@ -13,7 +10,7 @@ import pytest
 from sbgcgen.build import load_layout
 from sbgcgen.cli import main
 from sbgcgen.targets import outputs, target
-from support import BASE, GENERATOR, layout_of, write_spec
+from support import BASE, Capture, files_in, layout_of, run_generator, write_spec
 
 
 def files_of(folder: Path, summary: str = "A number.") -> dict[str, bytes]:
@@ -65,7 +62,7 @@ def test_site_is_no_part_of_generated(tmp_path: Path) -> None:
     assert not any(name.endswith((".html", ".css")) for name in names)
 
 
-def test_command_writes_and_cleans(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_command_writes_and_cleans(tmp_path: Path, capsys: Capture) -> None:
     write_spec(tmp_path, BASE)
     folder = tmp_path / "build" / "site"
     assert main(["site", "--root", str(tmp_path)]) == 0
@@ -78,9 +75,7 @@ def test_command_writes_and_cleans(tmp_path: Path, capsys: pytest.CaptureFixture
 
 
 @pytest.mark.parametrize("name", ["index.html", "simplebgc.json", "thesis.txt"])
-def test_folder_with_other_files_is_not_cleaned(
-    tmp_path: Path, name: str, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_folder_with_other_files_is_not_cleaned(tmp_path: Path, name: str, capsys: Capture) -> None:
     """Applies to other people's web pages and to generated/."""
     write_spec(tmp_path, BASE)
     folder = tmp_path / "precious"
@@ -98,18 +93,9 @@ def test_same_bytes_whatever_run_hash_seed_and_locale(tmp_path: Path) -> None:
     made = []
     for number, seed in enumerate(("1", "4711")):
         folder = tmp_path / str(number)
-        environment = {
-            **os.environ,
-            "PYTHONPATH": str(GENERATOR),
-            "PYTHONHASHSEED": seed,
-            "LC_ALL": "C",
-        }
-        command = [sys.executable, "-m", "sbgcgen", "site", "--root", str(tmp_path)]
-        subprocess.run(
-            [*command, "--output", str(folder)], check=True, env=environment, capture_output=True
-        )
-        files = sorted(path for path in folder.rglob("*") if path.is_file())
-        made.append({str(path.relative_to(folder)): path.read_bytes() for path in files})
+        at = ["--root", tmp_path, "--output", folder]
+        run_generator("site", *at, PYTHONHASHSEED=seed, LC_ALL="C").check_returncode()
+        made.append(files_in(folder))
     assert made[0] == made[1]
 
 

@@ -9,15 +9,8 @@ from typing import Any
 
 from sbgcgen.model import Command, Framing, Layout
 from sbgcgen.model.export.messages import message_json
-from sbgcgen.model.export.types import (
-    enum_json,
-    former_names,
-    given,
-    packed_json,
-    quantity_json,
-    variable_json,
-    version,
-)
+from sbgcgen.model.export.types import enum_json, former_names, given, packed_json, quantity_json
+from sbgcgen.model.export.types import variable_json, version
 
 
 def export(layout: Layout) -> dict[str, Any]:

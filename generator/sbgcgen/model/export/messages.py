@@ -6,38 +6,11 @@ import re
 from collections.abc import Iterator
 from typing import Any
 
-from sbgcgen.model import (
-    Alternative,
-    Announced,
-    Answer,
-    AnswerCase,
-    Blob,
-    Condition,
-    Context,
-    Effect,
-    Enum,
-    Field,
-    Layout,
-    Leaf,
-    Message,
-    Packed,
-    Quantity,
-    Role,
-    StopValue,
-    Struct,
-    Until,
-    element_of,
-    field_rules,
-)
-from sbgcgen.model.export.types import (
-    deprecation,
-    exponential,
-    former_names,
-    given,
-    later_json,
-    number,
-    version,
-)
+from sbgcgen.model import Alternative, Announced, Answer, AnswerCase, Blob, Condition, Context
+from sbgcgen.model import Effect, Enum, Field, Layout, Leaf, Message, Packed, Quantity, Role
+from sbgcgen.model import StopValue, Struct, Until, element_of, field_rules
+from sbgcgen.model.export.types import deprecation, exponential, former_names, given, later_json
+from sbgcgen.model.export.types import number, version
 
 # Forms that readers of the export may rely on.
 _FORMS = ("simple", "extended", "success", "error")

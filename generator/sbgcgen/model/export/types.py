@@ -5,16 +5,8 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Any
 
-from sbgcgen.model.values import (
-    Alias,
-    Availability,
-    Deprecation,
-    Enum,
-    EnumValue,
-    Packed,
-    Part,
-    Quantity,
-)
+from sbgcgen.model.values import Alias, Availability, Deprecation, Enum, EnumValue, Packed, Part
+from sbgcgen.model.values import Quantity
 from sbgcgen.model.bodies import Later
 from sbgcgen.model.variables import Variable
 

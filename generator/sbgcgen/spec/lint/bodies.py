@@ -5,20 +5,8 @@ from __future__ import annotations
 import re
 
 from sbgcgen.spec.diagnostics import Diagnostics
-from sbgcgen.model import (
-    Announced,
-    Blob,
-    Context,
-    Enum,
-    Field,
-    Layout,
-    Message,
-    Packed,
-    Part,
-    Quantity,
-    Scalar,
-    Struct,
-)
+from sbgcgen.model import Announced, Blob, Context, Enum, Field, Layout, Message, Packed, Part
+from sbgcgen.model import Quantity, Scalar, Struct
 from sbgcgen.model.names import is_name, parse_lines
 from sbgcgen.spec.resolve.sizes import size_of
 
@@ -215,10 +203,6 @@ def _check_groups(message: Message, found: Diagnostics) -> None:
             found.add(field.at, "SBGC033", text, hint)
 
 
-def _is_rest_of_bytes(field: Field) -> bool:
-    return field.dim == "rest" and field.type == Blob("bytes", None)
-
-
 def _takes_rest(struct: Struct) -> bool:
     if not struct.fields or struct.size is not None:
         return False
@@ -256,27 +240,31 @@ def _is_count(part: Part) -> bool:
 
 def _check_alternatives(message: Message, fields: tuple[Field, ...], found: Diagnostics) -> None:
     for field in fields:
-        inside = bool(field.alternative and field.alternative.in_group)
-        by_name = {other.name: other for other in (fields if inside else message.fields)}
+        other = field.alternative
         if isinstance(field.type, Struct):
             _check_alternatives(message, field.type.fields, found)
-        if field.alternative and not (
+        if other is None:
+            continue
+        if not (
             isinstance(field.type, Quantity)
-            and field.type.scalar == field.alternative.quantity.scalar
-            and field.type.unit == field.alternative.quantity.unit
+            and field.type.scalar == other.quantity.scalar
+            and field.type.unit == other.quantity.unit
         ):
-            text = f"{field.alternative.quantity.name} is not another scale of '{field.name}'"
+            text = f"{other.quantity.name} is not another scale of '{field.name}'"
             hint = "both are quantities in one unit over the same number"
             found.add(field.at, "SBGC026", text, hint)
-        source = by_name.get(field.alternative.source) if field.alternative else None
-        if source is None or field.alternative is None:
+        around = fields if other.in_group else message.fields
+        source = next((f for f in around if f.name == other.source), None)
+        if source is None:
+            wanted = other.source.upper()
+            text = f"the unit of '{field.name}' depends on {wanted}, which {message.name} does not have"
+            found.add(field.at, "SBGC026", text, "'of' names a field of the same message")
             continue
-        flag = field.alternative.flag
         sets = [source.type] if isinstance(source.type, Enum) else []
         if isinstance(source.type, Packed):
             sets = [part.enum for part in source.type.parts if part.enum]
-        if not any(flag in enum.values for enum in sets):
-            text = f"'{source.name}' of {message.name} has no flag {flag.name}"
+        if not any(other.flag in enum.values for enum in sets):
+            text = f"'{source.name}' of {message.name} has no flag {other.flag.name}"
             hint = "'of' names the field whose flags choose the unit"
             found.add(field.at, "SBGC026", text, hint)
 
@@ -303,9 +291,9 @@ def _check_contexts(message: Message, layout: Layout, found: Diagnostics) -> Non
             hint = "it comes before all that depends on the context, if that 'has' a flag"
             found.add(field.at, "SBGC026", text, hint)
         if field.fits_rest:
-            after = message.fields[message.fields.index(field) + 1 :]
+            rest = [(f.dim, f.type) for f in message.fields[message.fields.index(field) + 1 :]]
             is_string = isinstance(field.type, Blob) and field.dim == "one"
-            if not is_string or len(after) != 1 or not _is_rest_of_bytes(after[0]):
+            if not is_string or rest != [("rest", Blob("bytes", None))]:
                 text = f"'{field.name}' of {message.name} is not followed by the rest of the body"
                 hint = "a text that fits comes right before a last field of type bytes[]"
                 found.add(field.at, "SBGC043", text, hint)

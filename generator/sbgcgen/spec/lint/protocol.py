@@ -2,25 +2,9 @@
 
 from __future__ import annotations
 
-from sbgcgen.model import (
-    Announced,
-    Blob,
-    Command,
-    Enum,
-    Field,
-    Layout,
-    Message,
-    Packed,
-    Quantity,
-    Scalar,
-    Settings,
-    Struct,
-    Variable,
-    conditions,
-    constants,
-    copy_field,
-    scalar_of,
-)
+from sbgcgen.model import Command, Enum, Field, Layout, Packed, Quantity
+from sbgcgen.model import Scalar, Settings, Variable, conditions, constants, copy_field
+from sbgcgen.model import scalar_of
 from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
 from sbgcgen.spec.load import Spec, directions_of
 
@@ -127,16 +111,15 @@ def _can_hold(wide: Field, narrow: Field) -> bool:
         return False
     if wide.type == narrow.type:
         return True
-    if wide.dim != "one" or isinstance(wide.type, (Blob, Struct, Announced)):
+    has, room = scalar_of(narrow.type), scalar_of(wide.type)
+    if wide.dim != "one" or has is None or has.minimum is None or has.maximum is None:
         return False
-    if isinstance(narrow.type, (Blob, Struct, Announced)):
-        return False
-    has, holds = scalar_of(narrow.type), scalar_of(wide.type)
-    if has is None or has.minimum is None or has.maximum is None:
-        return False
-    if holds is None or holds.minimum is None or holds.maximum is None:
-        return False
-    return holds.minimum <= has.minimum and has.maximum <= holds.maximum
+    return (
+        room is not None
+        and not room.is_float
+        and room.holds(has.minimum)
+        and room.holds(has.maximum)
+    )
 
 
 def _check_bodies(layout: Layout, found: Diagnostics) -> None:
@@ -152,7 +135,6 @@ def _check_bodies(layout: Layout, found: Diagnostics) -> None:
         if message.name in taken:
             text = f"message {message.name} has the name of a type (at {taken[message.name]})"
             found.add(message.at, "SBGC028", text, "give the message another one with 'as'")
-        _check_alternatives(message, message.fields, found)
 
 
 def _check_constants(fields: tuple[Field, ...], found: Diagnostics) -> None:
@@ -169,18 +151,6 @@ def _check_constants(fields: tuple[Field, ...], found: Diagnostics) -> None:
             if first and (first.value != special.value or first.scalar != scalar_of(field.type)):
                 text = f"'{special.name}' is the name of another special value"
                 found.add(special.at, "SBGC012", text, f"see {first.at}")
-
-
-def _check_alternatives(message: Message, fields: tuple[Field, ...], found: Diagnostics) -> None:
-    names = {f.name for f in message.fields}
-    for field in fields:
-        other = field.alternative
-        if other and not other.in_group and other.source not in names:
-            source = other.source.upper()
-            text = f"the unit of '{field.name}' depends on {source}, which {message.name} does not have"
-            found.add(field.at, "SBGC026", text, "'of' names a field of the same message")
-        if isinstance(field.type, Struct):
-            _check_alternatives(message, field.type.fields, found)
 
 
 def _check_variables(layout: Layout, found: Diagnostics) -> None:

@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator
 from fractions import Fraction
 
-from sbgcgen.model import COMMAND_IDS, Enum, Field, Layout, Message, Position, Quantity, Struct
+from sbgcgen.model import COMMAND_IDS, Enum, Field, Layout, Message, Position, Quantity, all_fields
 from sbgcgen.spec.diagnostics import Diagnostics
 from sbgcgen.spec.load import Map, Spec
 from sbgcgen.spec.resolve.types import VARIABLE_ID
@@ -32,7 +32,7 @@ def lint_slips(layout: Layout, found: Diagnostics) -> None:
             _check_counter(field, fields, found)
     for message in layout.messages:
         _check_deprecation(message, found)
-        for field in _fields(message.fields):
+        for field in all_fields(message.fields):
             if field.later and field.later[0].since.firmware <= message.since.firmware:
                 text = (
                     f"'{field.name}' has its later meaning in all firmware that has {message.name}"
@@ -103,19 +103,12 @@ def _check_deprecation(message: Message, found: Diagnostics) -> None:
     """Finds ranges of versions that end before they start. Fields of structs start with the message."""
     for what, since, mark, at in (
         (message.name, message.since, message.deprecated, message.at),
-        *((f"'{f.name}'", f.since, f.deprecated, f.at) for f in _fields(message.fields)),
+        *((f"'{f.name}'", f.since, f.deprecated, f.at) for f in all_fields(message.fields)),
     ):
         start = max(since.firmware, message.since.firmware)
         if mark and mark.since and mark.since.firmware < start:
             text = f"{what} is deprecated before it exists"
             found.add(at, "SBGC071", text, "'deprecated' has the first firmware to avoid it")
-
-
-def _fields(fields: tuple[Field, ...]) -> Iterator[Field]:
-    for field in fields:
-        yield field
-        if isinstance(field.type, Struct):
-            yield from _fields(field.type.fields)
 
 
 # Types of the spec begin with an upper-case letter, built-in ones do not.

@@ -6,21 +6,8 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any
 
-from sbgcgen.model import (
-    COMMAND_IDS,
-    Answer,
-    AnswerCase,
-    CorrelationField,
-    Enum,
-    Field,
-    OptionalPart,
-    Message,
-    Position,
-    Response,
-    Result,
-    Struct,
-    scalar_of,
-)
+from sbgcgen.model import Answer, AnswerCase, CorrelationField, Enum, Field
+from sbgcgen.model import OptionalPart, Message, Position, Response, Result, Struct, scalar_of
 from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
 from sbgcgen.spec.load import List, Map, Spec
 from sbgcgen.spec.resolve.fields import FieldResolver

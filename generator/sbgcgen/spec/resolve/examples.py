@@ -12,21 +12,8 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any
 
-from sbgcgen.model import (
-    Announced,
-    Blob,
-    Enum,
-    Field,
-    Packed,
-    Part,
-    Position,
-    Quantity,
-    Scalar,
-    StopPattern,
-    StopValue,
-    Struct,
-    Type,
-)
+from sbgcgen.model import Announced, Blob, Enum, Field, Packed, Part, Position, Quantity, Scalar
+from sbgcgen.model import StopPattern, StopValue, Struct, Type
 from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
 from sbgcgen.spec.load import Map
 
@@ -189,7 +176,6 @@ def _is_flags(type_: Type) -> bool:
 
 
 def _single(field: Field, type_: Type, node: Any) -> Any:
-    """One value of a field."""
     if isinstance(type_, Struct):
         return _struct(type_, node)
     if isinstance(type_, Blob):

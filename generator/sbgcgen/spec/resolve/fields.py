@@ -8,36 +8,14 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
-from sbgcgen.model import (
-    SCALARS,
-    Announced,
-    Availability,
-    Blob,
-    Context,
-    Enum,
-    Field,
-    FieldRule,
-    Packed,
-    Part,
-    Position,
-    Quantity,
-    Scalar,
-    Struct,
-    Type,
-    scalar_of,
-)
+from sbgcgen.model import SCALARS, Announced, Availability, Blob, Context, Enum, Field, FieldRule
+from sbgcgen.model import Packed, Part, Position, Quantity, Scalar, Struct, Type, scalar_of
 from sbgcgen.model.names import FieldName, parse_field_name, snake_case, type_advice
 from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
 from sbgcgen.spec.load import Map, Spec
 from sbgcgen.spec.resolve.axis_directions import DirectionResolver, axis_directions_of
-from sbgcgen.spec.resolve.sizes import (
-    grown,
-    min_size,
-    min_size_of,
-    offsets_in_union,
-    size_of,
-    total_size,
-)
+from sbgcgen.spec.resolve.sizes import grown, min_size, min_size_of, offsets_in_union, size_of
+from sbgcgen.spec.resolve.sizes import total_size
 from sbgcgen.spec.resolve.examples import ExampleReader
 from sbgcgen.spec.resolve.limits import LaterResolver, LimitResolver
 from sbgcgen.spec.resolve.references import Outside, ReferenceResolver

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from fractions import Fraction
 
-from sbgcgen.model import SCALARS, Availability, Field, Later, Scalar, Special, Type, scalar_of
+from sbgcgen.model import SCALARS, Availability, Field, Later, Special, Type, scalar_of
 from sbgcgen.spec.diagnostics import Diagnostics, Mistake, did_you_mean
 from sbgcgen.spec.load import Map
 from sbgcgen.spec.resolve.types import TypeResolver
@@ -41,12 +41,12 @@ class LimitResolver:
                 if not scalar.is_float and minimum.denominator * maximum.denominator != 1:
                     message = f"the range of {text} is not in whole numbers"
                     self.found.add(at, "SBGC017", message, "the range is in raw wire values")
-                if not scalar.is_float and not (_fits(scalar, minimum) and _fits(scalar, maximum)):
+                if not scalar.is_float and not (scalar.holds(minimum) and scalar.holds(maximum)):
                     message = f"the range of {text} exceeds {scalar.name}"
                     self.found.add(at, "SBGC017", message, "the range is in raw wire values")
         for entry in special:
             where = node["special"].at(str(entry.value)) if isinstance(node["special"], Map) else at
-            if scalar is None or not _fits(scalar, Fraction(entry.value)):
+            if scalar is None or not scalar.holds(entry.value):
                 message = f"the special value {entry.value} of {text} does not fit its type"
                 self.found.add(where, "SBGC017", message, "it is a raw wire value")
             elif minimum is not None and maximum is not None:
@@ -68,12 +68,6 @@ class LimitResolver:
             text = self.types.summary(content, content.position, f"the special value {key}")
             result.append(Special(int(key), text, name, at))
         return tuple(result)
-
-
-def _fits(scalar: Scalar, value: Fraction) -> bool:
-    if scalar.minimum is None or scalar.maximum is None:
-        return True
-    return scalar.minimum <= value <= scalar.maximum
 
 
 class LaterResolver:

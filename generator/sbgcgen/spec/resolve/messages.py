@@ -8,7 +8,7 @@ from typing import Any
 from sbgcgen.model import Availability, Command, Context, Field, Message, Position, Struct, Until
 from sbgcgen.model.names import camel_case, form_suffix
 from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
-from sbgcgen.spec.load import Map
+from sbgcgen.spec.load import Map, empty_map
 from sbgcgen.spec.resolve.answers import AnswerResolver
 from sbgcgen.spec.resolve.contexts import announceable_types, context_of
 from sbgcgen.spec.resolve.effects import EffectResolver
@@ -79,13 +79,13 @@ class MessageResolver:
         side = node[direction]
         forms = side.get("forms", {None: side})
         base = camel_case(command.name.removeprefix(self.types.spec.command_prefix))
-        answers_itself = direction == "to_board" and "from_board" in node
-        shared = any("same_as" in node.get(d, {}) for d in DIRECTIONS)
-        if answers_itself and not (shared and self._is_own_body(node, base)):
+        # One direction of a command may have the same body, and thus the name, of the other.
+        is_shared = any(node[d].get("same_as") == base for d in DIRECTIONS if d in node)
+        if direction == "to_board" and "from_board" in node and not is_shared:
             base += "Request"
         for form, content in forms.items():
             at = side["forms"].at(form) if form else node.at(direction)
-            body = content if content is not None else _no_body(at)
+            body = content if content is not None else empty_map(at)
             name = str(body.get("as", base + camel_case(form_suffix(form))))
             draft = _Draft(name, command, node, direction, form, body, side, at)
             key = (name, direction)
@@ -113,10 +113,6 @@ class MessageResolver:
                 hint = "one of them must list the fields"
                 self.found.add(node.at("same_as"), "SBGC029", message, hint)
                 node.pop("same_as")
-
-    def _is_own_body(self, node: Map, base: str) -> bool:
-        """True if one direction of a command has the same body as the other."""
-        return any(node[d].get("same_as") == base for d in DIRECTIONS if d in node)
 
     def _find(self, name: str, at: Position) -> Message | None:
         """The message with this name, from the direction that defines its body."""
@@ -436,13 +432,6 @@ class MessageResolver:
             )
             for f in message.fields
         ]
-
-
-def _no_body(at: Position) -> Map:
-    """The content of a form without a description."""
-    result = Map()
-    result.position, result.keys_at = at, {}
-    return result
 
 
 def _other(direction: str) -> str:

@@ -6,18 +6,8 @@ from collections.abc import Iterator
 from fnmatch import fnmatchcase
 from typing import Any
 
-from sbgcgen.model import (
-    Command,
-    Enum,
-    Erratum,
-    Family,
-    Layout,
-    Line,
-    Message,
-    Position,
-    Revision,
-    Topic,
-)
+from sbgcgen.model import Command, Enum, Erratum, Family, Layout, Line, Message, Position, Revision
+from sbgcgen.model import Topic
 from sbgcgen.model.names import snake_case
 from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
 from sbgcgen.spec.load import List, Map, Spec

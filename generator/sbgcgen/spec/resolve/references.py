@@ -7,21 +7,8 @@ from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from typing import Any
 
-from sbgcgen.model import (
-    Alternative,
-    Condition,
-    Context,
-    Enum,
-    Field,
-    Packed,
-    Part,
-    Quantity,
-    Scalar,
-    Struct,
-    Type,
-    satisfying,
-    scalar_of,
-)
+from sbgcgen.model import Alternative, Condition, Context, Enum, Field, Packed, Part, Quantity
+from sbgcgen.model import Scalar, Struct, Type, satisfying, scalar_of
 from sbgcgen.model.names import snake_case
 from sbgcgen.spec.diagnostics import Diagnostics, Mistake, did_you_mean
 from sbgcgen.spec.load import Map

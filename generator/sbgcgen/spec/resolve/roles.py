@@ -3,21 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from fractions import Fraction
 from typing import Any
 
-from sbgcgen.model import (
-    COMMAND_IDS,
-    Blob,
-    Enum,
-    Field,
-    Message,
-    Position,
-    Quantity,
-    Role,
-    Struct,
-    Versions,
-)
+from sbgcgen.model import COMMAND_IDS, Blob, Enum, Field, Message, Position, Quantity, Role, Struct
+from sbgcgen.model import Versions
 from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
 from sbgcgen.spec.load import Map
 from sbgcgen.spec.resolve.versions import KINDS

@@ -22,7 +22,6 @@ def size_of(type_: Type) -> int | None:
 
 
 def min_size_of(type_: Type) -> int:
-    """Smallest size of a type."""
     if isinstance(type_, Struct):
         return type_.min_size
     if isinstance(type_, Blob) and type_.kind == "string":

@@ -3,23 +3,13 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from math import log
 from typing import Any
 
-from sbgcgen.model import (
-    COMMAND_IDS,
-    SCALARS,
-    Enum,
-    EnumValue,
-    Former,
-    Packed,
-    Part,
-    Position,
-    Quantity,
-    Scalar,
-)
+from sbgcgen.model import COMMAND_IDS, SCALARS, Enum, EnumValue, Former, Packed, Part, Position
+from sbgcgen.model import Quantity, Scalar
 from sbgcgen.model.names import singular, snake_case
 from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
 from sbgcgen.spec.load import Map, Spec, directions_of
@@ -132,59 +122,29 @@ class TypeResolver(Entries):
     def _command_ids(self, direction: str) -> Enum:
         """The command ids of one direction; in the other one they may mean other commands."""
         values = []
+        prefix = self.spec.command_prefix
         for _, name, value, at in self.spec.entries("commands"):
             if value["id"] is None or direction not in directions_of(value):
                 continue
-            usual = snake_case(name.removeprefix(self.spec.command_prefix))
+            usual = snake_case(name.removeprefix(prefix))
             identifier = self.identifier(str(value.get("as", usual)), at)
-            summary = str(value.get("summary", ""))
-            values.append(
-                EnumValue(
-                    name,
-                    identifier,
-                    value["id"],
-                    summary,
-                    at=at,
-                    aliases=self.aliases(value, self.spec.command_prefix),
-                )
-            )
-        return Enum(
-            name=COMMAND_IDS[direction],
-            member=COMMAND_IDS[direction],
-            scalar=SCALARS["u8"],
-            kind="enum",
-            summary=f"The commands of messages {'to' if direction == 'to_board' else 'from'} the board.",
-            source="Command ID definitions L75-L154",
-            errata=(),
-            values=tuple(sorted(values, key=lambda v: (v.value, v.name))),
-        )
+            summary, aliases = str(value.get("summary", "")), self.aliases(value, prefix)
+            values.append(EnumValue(name, identifier, value["id"], summary, at=at, aliases=aliases))
+        way = "to" if direction == "to_board" else "from"
+        summary = f"The commands of messages {way} the board."
+        source = "Command ID definitions L75-L154"
+        return _enum_of_ids(COMMAND_IDS[direction], summary, source, values)
 
     def _variable_ids(self) -> Enum:
         values = []
         for _, name, value, at in self.spec.entries("variables"):
             identifier = self.identifier(snake_case(name), at)
-            summary = str(value.get("summary", ""))
-            values.append(
-                EnumValue(
-                    name,
-                    identifier,
-                    value["id"],
-                    summary,
-                    since=self.availability(value),
-                    at=at,
-                    unconfirmed=bool(value.get("unconfirmed", False)),
-                )
-            )
-        return Enum(
-            name=VARIABLE_ID,
-            member=VARIABLE_ID,
-            scalar=SCALARS["u8"],
-            kind="enum",
-            summary="The adjustable variables.",
-            source="Appendix B L1274-L1329",
-            errata=(),
-            values=tuple(sorted(values, key=lambda v: (v.value, v.name))),
-        )
+            entry = EnumValue(name, identifier, value["id"], str(value.get("summary", "")), at=at)
+            unconfirmed = bool(value.get("unconfirmed", False))
+            since = self.availability(value)
+            values.append(replace(entry, since=since, unconfirmed=unconfirmed))
+        source = "Appendix B L1274-L1329"
+        return _enum_of_ids(VARIABLE_ID, "The adjustable variables.", source, values)
 
     def _enum_values(
         self, name: str, entries: dict[str, tuple[Map, Position]], on_the_way: tuple[str, ...]
@@ -434,7 +394,8 @@ class TypeResolver(Entries):
             quantity=quantity,
             saved_as=str(node.get("saved_as", "")),
         )
-        if quantity is not None and not _holds(quantity.scalar, part.limits):
+        fits = quantity is None or all(map(quantity.scalar.holds, part.limits))
+        if quantity is not None and (quantity.scalar.is_float or not fits):
             text = f"'{name}' has numbers from {part.limits[0]} to {part.limits[1]}"
             hint = f"which {quantity.name} cannot hold: its type is {quantity.scalar.name}"
             self.found.add(node.at("type"), "SBGC016", text, hint)
@@ -491,14 +452,12 @@ class TypeResolver(Entries):
                     self.found.add(at, "SBGC028", message, "all types share one namespace")
 
 
+def _enum_of_ids(name: str, summary: str, source: str, values: list[EnumValue]) -> Enum:
+    in_order = tuple(sorted(values, key=lambda v: (v.value, v.name)))
+    return Enum(name, name, SCALARS["u8"], "enum", summary, source, (), in_order)
+
+
 def parse_bits(value: Any) -> tuple[int, int]:
     """3 -> (3, 3) and "0..2" -> (0, 2)."""
     first, _, last = str(value).partition("..")
     return int(first), int(last or first)
-
-
-def _holds(scalar: Scalar, limits: tuple[int, int]) -> bool:
-    """True if all integers within the limits are numbers of the type."""
-    if scalar.minimum is None or scalar.maximum is None:
-        return False
-    return scalar.minimum <= limits[0] and limits[1] <= scalar.maximum

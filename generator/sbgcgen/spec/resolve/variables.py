@@ -7,17 +7,8 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
-from sbgcgen.model import (
-    SCALARS,
-    Enum,
-    Leaf,
-    Message,
-    Position,
-    Quantity,
-    Scalar,
-    Variable,
-    VariableSetting,
-)
+from sbgcgen.model import SCALARS, Enum, Leaf, Message, Position, Quantity, Scalar, Variable
+from sbgcgen.model import VariableSetting
 from sbgcgen.model.names import snake_case
 from sbgcgen.spec.diagnostics import Diagnostics, Mistake, did_you_mean
 from sbgcgen.spec.load import List, Map
@@ -51,7 +42,7 @@ class VariableResolver:
         if minimum > maximum:
             message = f"the range of {name} is reversed"
             self.found.add(node.at("range"), "SBGC017", message, f"write {high}..{low}")
-        if not (_fits(scalar, min(minimum, maximum)) and _fits(scalar, max(minimum, maximum))):
+        if not (scalar.holds(minimum) and scalar.holds(maximum)):
             message = f"the range of {name} exceeds {scalar.name}"
             hint = "the range is in raw wire values"
             self.found.add(node.at("range"), "SBGC017", message, hint)
@@ -160,7 +151,7 @@ def _check_values(text: str, setting: VariableSetting, limits: tuple[int, int]) 
     if any(value + 1 in setting.special for value in setting.special):
         problem = f"a value between two special ones of '{text}' has no raw value"
         raise Mistake("SBGC044", problem, "give the variable the type of the setting")
-    if not all(_fits(setting.scalar, setting.count(value)) for value in limits):
+    if not all(setting.scalar.holds(setting.count(value)) for value in limits):
         problem = f"'{text}' cannot hold every value of the range"
         raise Mistake("SBGC044", problem, f"it is of type {setting.scalar.name}")
     if not _is_told(setting):
@@ -174,12 +165,6 @@ def _paths(node: Map) -> list[tuple[str, Position]]:
     if isinstance(sets, List):
         return [(str(path), at) for path, at in zip(sets, sets.items_at)]
     return [(str(sets), node.at("sets"))] if sets else []
-
-
-def _fits(scalar: Scalar, value: int) -> bool:
-    if scalar.minimum is None or scalar.maximum is None:
-        return True
-    return scalar.minimum <= value <= scalar.maximum
 
 
 def _integer(leaf: Leaf) -> Scalar | None:
@@ -204,5 +189,5 @@ def _is_told(setting: VariableSetting) -> bool:
     parts = (setting.numerator, setting.denominator, setting.addend)
     largest = 1 << 32
     return all(
-        _fits(_WIDEST, setting.value(raw)) for raw in (scalar.minimum, scalar.maximum)
+        _WIDEST.holds(setting.value(raw)) for raw in (scalar.minimum, scalar.maximum)
     ) and all(abs(part) * largest < _LIMIT for part in parts)

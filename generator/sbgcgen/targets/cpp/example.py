@@ -10,22 +10,11 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
-from sbgcgen.model import (
-    Announced,
-    Blob,
-    Enum,
-    EnumValue,
-    Field,
-    Packed,
-    Part,
-    Quantity,
-    Scalar,
-    Struct,
-    Type,
-)
+from sbgcgen.model import Announced, Blob, Enum, EnumValue, Field, Packed, Part, Quantity, Scalar
+from sbgcgen.model import Struct, Type
 from sbgcgen.model.packed_text import part_of
 from sbgcgen.oracle.codec import Fields, is_bytes, keys_of
-from sbgcgen.oracle.example import Example, Piece
+from sbgcgen.oracle.example import Example, Piece, physical
 from sbgcgen.oracle.typical import typical_number
 from sbgcgen.views.code import decimal, flags_of, parts_that_make, unit_name, value_named
 
@@ -167,13 +156,9 @@ class _Builder:
 
     def _single_bytes(self, piece: Piece, to: str) -> Iterator[Step]:
         """Assignments to single bytes, if few of those that were read change."""
-        is_run = isinstance(piece.type, Blob) and piece.type.kind == "bytes"
-        if self.example.read is None or not is_run or piece.may_be_missing:
-            return
-        before = next(p.data for p in self.example.read.pieces if p.path == piece.path)
-        places = [i for i, (old, new) in enumerate(zip(before, piece.data)) if old != new]
-        if len(places) <= _SINGLE_BYTES:
-            yield from (Step("byte", f"{to}[{i}]", piece.data[i]) for i in places)
+        changed = {} if piece.may_be_missing else self.example.changed_bytes(piece)
+        if len(changed) <= _SINGLE_BYTES:
+            yield from (Step("byte", f"{to}[{i}]", byte) for i, byte in changed.items())
 
 
 # Looking
@@ -197,8 +182,7 @@ def _looks(piece: Piece, missing: frozenset[str]) -> Iterator[Look]:
     if isinstance(piece.field.type, Announced):
         yield number("number", f"{value:g}")
     elif isinstance(type_, Quantity):
-        unit = f" {type_.unit}" if type_.unit else ""
-        yield number("quantity", f"{float(type_.real(value)):g}{unit}")
+        yield number("quantity", physical(value, type_))
     elif isinstance(type_, Enum) and type_.kind == "flags":
         for flag in type_.values:
             if flag.value and value & flag.value == flag.value:
@@ -212,8 +196,7 @@ def _looks(piece: Piece, missing: frozenset[str]) -> Iterator[Look]:
             held = part_of(part, value)
             start = f"{path}: {part.name} "
             if part.quantity:
-                unit = f" {part.quantity.unit}" if part.quantity.unit else ""
-                shown = f"{start}{float(part.quantity.real(held)):g}{unit}"
+                shown = f"{start}{physical(held, part.quantity)}"
                 yield look("quantity", shown, text=start, part=part)
             elif part.enum is None:
                 yield look("part", f"{start}{held}", text=start, part=part)
@@ -234,9 +217,8 @@ def _looks(piece: Piece, missing: frozenset[str]) -> Iterator[Look]:
 def number_and_output(quantity: Quantity) -> tuple[int | float, tuple[str, str]]:
     """An ordinary raw number, and what is printed of it: itself, and what it is worth."""
     raw = typical_number(quantity)
-    unit = f" {quantity.unit}" if quantity.unit else ""
     line = f"on the line: {raw:g}" if quantity.scalar.is_float else f"on the line: {raw}"
-    return raw, (line, f"real value: {float(quantity.real(raw)):g}{unit}")
+    return raw, (line, f"real value: {physical(raw, quantity)}")
 
 
 # Functions for the templates

@@ -7,16 +7,7 @@ import textwrap
 from collections.abc import Callable, Iterable
 from typing import Any
 
-from sbgcgen.model import (
-    Field,
-    Message,
-    Quantity,
-    Scalar,
-    constants,
-    copy_field,
-    largest_forms,
-    scalar_of,
-)
+from sbgcgen.model import Field, Message, Quantity, Scalar, constants, copy_field, largest_forms
 from sbgcgen.targets.cpp.flag_unit import flag_units
 from sbgcgen.views.code import unit_name
 
@@ -76,23 +67,6 @@ def in_lines(items: str, indent: int) -> str:
     return (",\n" + " " * indent).join(lines)
 
 
-def narrow_range(field: Field) -> str:
-    """The range of a field in its unit, if it is narrower than that of its type: '-90 to 90 deg'."""
-    scalar = scalar_of(field.type)
-    if field.constant:
-        return ""
-    if field.minimum is None or field.maximum is None or scalar is None:
-        return ""
-    if field.minimum == scalar.minimum and field.maximum == scalar.maximum:
-        return ""
-    limits = [field.minimum, field.maximum]
-    unit = ""
-    if isinstance(field.type, Quantity):
-        limits = [field.type.real(limit) for limit in limits]
-        unit = f" {field.type.unit}" if field.type.unit else ""
-    return " to ".join(f"{float(limit):.6g}" for limit in limits) + unit
-
-
 def attribute(message: Message) -> str:
     """The attribute of a message that is deprecated in every firmware.
 
@@ -128,7 +102,6 @@ FILTERS: dict[str, Callable[..., Any]] = {
     "documented": documented,
     "in_lines": in_lines,
     "statement": statement,
-    "narrow_range": narrow_range,
     "unit_name": unit_name,
     "units": units,
     "attribute": attribute,

@@ -36,9 +36,8 @@ def flag_units(message: Message) -> list[FlagUnit]:
     """The fields with two units that one index, or none, leads to and that are always there."""
     found = [unit for path in _paths(message.fields, ()) if (unit := _flag_unit(message, path))]
     names = Counter(unit.name for unit in found)
-    return [
-        unit if names[unit.name] == 1 else replace(unit, name=_full_name(unit)) for unit in found
-    ]
+    full = [replace(u, name=(u.elements + u.member).replace(".", "_")) for u in found]
+    return [unit if names[unit.name] == 1 else other for unit, other in zip(found, full)]
 
 
 def _paths(fields: tuple[Field, ...], path: tuple[Field, ...]) -> Iterator[tuple[Field, ...]]:
@@ -85,7 +84,3 @@ def _flag_unit(message: Message, path: tuple[Field, ...]) -> FlagUnit | None:
 def _is_alike(one: Field, other: Field) -> bool:
     """Whether both have an element for the same indices."""
     return one.dim == other.dim and one.dim in ("axis", "xyz")
-
-
-def _full_name(unit: FlagUnit) -> str:
-    return (unit.elements + unit.member).replace(".", "_")

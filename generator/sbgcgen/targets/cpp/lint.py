@@ -5,19 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 
-from sbgcgen.model import (
-    BODY,
-    ID,
-    SIZE,
-    Enum,
-    Field,
-    Framing,
-    Layout,
-    Message,
-    Packed,
-    Position,
-    Quantity,
-)
+from sbgcgen.model import BODY, ID, SIZE, Enum, Field, Framing, Layout, Message, Packed, Position
+from sbgcgen.model import Quantity
 from sbgcgen.spec.diagnostics import Diagnostics
 from sbgcgen.spec.load import Map, Spec
 from sbgcgen.targets.cpp.filters import later_units

@@ -9,15 +9,9 @@ from typing import Any, Union
 
 from sbgcgen.model import Announced, Blob, Enum, Field, Packed, Quantity, Scalar, Struct, Type
 from sbgcgen.oracle.codec import Fields, is_bytes, keys_of
-from sbgcgen.oracle.example import Example, Piece
-from sbgcgen.views.code import (
-    attribute_name,
-    decimal,
-    enum_name,
-    flags_of,
-    parts_that_make,
-    value_named,
-)
+from sbgcgen.oracle.example import Example, Piece, physical
+from sbgcgen.views.code import attribute_name, decimal, enum_name, flags_of, parts_that_make
+from sbgcgen.views.code import value_named
 
 _WIDTH = 80
 # How many bytes are on a line.
@@ -151,14 +145,10 @@ class _Maker:
 
     def _single_bytes(self, piece: Piece, to: str) -> Iterator[str]:
         """Assignments to single bytes, if few of many change."""
-        assert self.example.read
-        if not isinstance(piece.type, Blob) or piece.type.kind != "bytes":
-            return
-        before = next(p.data for p in self.example.read.pieces if p.path == piece.path)
-        places = [at for at, (old, new) in enumerate(zip(before, piece.data)) if old != new]
-        if len(before) == len(piece.data) and len(places) <= _SINGLE_BYTES:
+        changed = self.example.changed_bytes(piece)
+        if 0 < len(changed) <= _SINGLE_BYTES:
             yield f"data = bytearray({to})"
-            yield from (f"data[{at}] = 0x{piece.data[at]:02X}" for at in places)
+            yield from (f"data[{at}] = 0x{byte:02X}" for at, byte in changed.items())
             yield f"{to} = data"
 
     def _field(self, field: Field, value: Any, path: str) -> Code:
@@ -239,7 +229,7 @@ def _look(piece: Piece) -> tuple[str, str]:
         return f"{{{at}_raw}}", str(value)
     if isinstance(type_, Quantity):
         unit = f" {type_.unit}" if type_.unit else ""
-        return f"{{{at}:g}}{unit}", f"{float(type_.real(value)):g}{unit}"
+        return f"{{{at}:g}}{unit}", physical(value, type_)
     if isinstance(type_, Enum) and type_.kind == "flags":
         return f"{{{at}!r}}", _flags(type_, value)
     if isinstance(type_, Enum):

@@ -81,7 +81,8 @@ class _Package:
     def _class(self, module: str, node: ast.ClassDef, public: list[str]) -> Documented:
         bases = [ast.unparse(base) for base in node.bases]
         members = {member.name: member for member in self._members(module, node, node.name)}
-        start = next((f for f in _functions(node) if f.name == "__init__"), None)
+        functions = (item for item in node.body if isinstance(item, ast.FunctionDef))
+        start = next((f for f in functions if f.name == "__init__"), None)
         said = _signature(start, node.name, is_method=True) if start else ""
         if not start or "_core." in said:  # the package itself makes its objects
             shown = [base for base in bases if base in public or not self._find(module, base)]
@@ -162,10 +163,6 @@ def _assigned(node: ast.stmt) -> str:
     if isinstance(node, ast.AnnAssign):
         return f"{ast.unparse(node.target)}: {ast.unparse(node.annotation)}"
     return ast.unparse(node)
-
-
-def _functions(node: ast.ClassDef) -> Iterator[ast.FunctionDef]:
-    yield from (item for item in node.body if isinstance(item, ast.FunctionDef))
 
 
 def _text(node: Union[ast.Module, ast.stmt]) -> str:

@@ -7,23 +7,11 @@ import textwrap
 from collections.abc import Callable
 from typing import Any
 
-from sbgcgen.model import (
-    Announced,
-    Blob,
-    Enum,
-    EnumValue,
-    Field,
-    Layout,
-    Message,
-    Packed,
-    Part,
-    Quantity,
-    Struct,
-    constants,
-    scalar_of,
-)
+from sbgcgen.model import Announced, Blob, Enum, EnumValue, Field, Layout, Message, Packed, Part
+from sbgcgen.model import Quantity, Struct, constants, scalar_of
 from sbgcgen.views.code import attribute_name, enum_name
-from sbgcgen.views.words import body_size, directions_text, number, rules_in, versions
+from sbgcgen.views.words import body_size, directions_text, narrow_range, number, rules_in
+from sbgcgen.views.words import versions
 
 LINE = 100  # columns
 
@@ -145,26 +133,12 @@ def hints(field: Field, raw: bool = False) -> tuple[str, str]:
     return get, set_
 
 
-def _range(field: Field) -> str:
-    """The range of a field in its unit, if it is narrower than that of its type."""
-    scalar = scalar_of(field.type)
-    if field.constant or field.minimum is None or field.maximum is None or scalar is None:
-        return ""
-    if field.minimum == scalar.minimum and field.maximum == scalar.maximum:
-        return ""
-    limits = [field.minimum, field.maximum]
-    if isinstance(field.type, Quantity):
-        limits = [limit * field.type.scale + field.type.offset for limit in limits]
-    return " to ".join(f"{float(limit):.6g}" for limit in limits)
-
-
 def field_doc(field: Field, whole: str = "body") -> str:
     """The documentation of a field of a body, or of an element."""
     unit = field.type.unit or "" if isinstance(field.type, Quantity) else ""
-    limits = _range(field)
     said = [field.summary]
-    if limits:
-        said.append(f"Range: {limits}{f' {unit}' if unit else ''}.")
+    if limits := narrow_range(field):
+        said.append(f"Range: {limits}.")
     elif unit:
         said.append(f"Unit: {unit}.")
     said.append(directions_text(field.directions or ()))
@@ -220,7 +194,6 @@ def message_doc(message: Message) -> str:
 
 
 def value_doc(value: EnumValue) -> str:
-    """The meaning of an enum value."""
     said = [value.summary, f"Since {versions(value.since)}." if value.since else ""]
     return doc([" ".join(filter(None, [*said, "Unconfirmed." if value.unconfirmed else ""]))])
 

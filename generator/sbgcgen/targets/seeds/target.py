@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
-from sbgcgen.model import Field, Layout, Message, Struct
+from sbgcgen.model import Field, Layout, Message, all_fields
 from sbgcgen.oracle.codec import CodecError, scalar_of
 from sbgcgen.oracle.compose import Choice, Places, compose, first_that_fits, full_context
 from sbgcgen.oracle.decoding import decode
@@ -36,7 +36,6 @@ class Seeds(Target):
     mark = "sbgc.dict"
 
     def files(self, layout: Layout, project: Path) -> Iterator[tuple[str, bytes]]:
-        """The seeds and the dictionary by path."""
         yield "sbgc.dict", _dictionary(layout).encode()
         bodies = {id(message): _bodies(message) for message in layout.messages}
         for message in layout.messages:
@@ -260,20 +259,12 @@ def _dictionary(layout: Layout) -> str:
     for message in layout.messages:
         for size in (message.min_size, message.max_size):
             words[f"size_{size}"] = bytes((size,))
-        for field in _fields(message.fields):
+        for field in all_fields(message.fields):
             words.update(_words_of(field))
     unique: dict[bytes, str] = {}
     for name, word in words.items():
         unique.setdefault(word, name)
     return "".join(f'{name}="{_escaped(word)}"\n' for word, name in unique.items())
-
-
-def _fields(fields: tuple[Field, ...]) -> Iterator[Field]:
-    """The fields, including those of structs."""
-    for field in fields:
-        yield field
-        if isinstance(field.type, Struct):
-            yield from _fields(field.type.fields)
 
 
 def _words_of(field: Field) -> Iterator[tuple[str, bytes]]:

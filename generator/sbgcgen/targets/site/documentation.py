@@ -23,7 +23,9 @@ class Documentation:
     def html(self, text: str, near: str) -> Markup:
         """Paragraphs, and code, of a text that is about `near`."""
         return Markup("\n").join(
-            Markup('<pre tabindex="0"><code>{}</code></pre>').format(_dedented(part))
+            Markup('<pre tabindex="0"><code>{}</code></pre>').format(
+                re.sub(r"^    ", "", part, flags=re.MULTILINE)
+            )
             if part.startswith("    ")
             else Markup("<p>{}</p>").format(self._prose(part, near))
             for part in _paragraphs(text)
@@ -83,7 +85,3 @@ def _paragraphs(text: str) -> list[str]:
         elif part.strip():
             found.append(part)
     return found
-
-
-def _dedented(code: str) -> str:
-    return re.sub(r"^    ", "", code, flags=re.MULTILINE)

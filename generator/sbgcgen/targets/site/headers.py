@@ -8,14 +8,13 @@ import tempfile
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from textwrap import fill, indent
-from textwrap import dedent
+from textwrap import dedent, fill, indent
 from xml.etree.ElementTree import Element, parse
 
 from markupsafe import Markup, escape
 
-from sbgcgen.model import Enum, Layout, Packed, Quantity
-from sbgcgen.targets.site import uses
+from sbgcgen.model import Layout
+from sbgcgen.targets.site.uses import page_of
 
 SETTINGS = Path("docs/Doxyfile")
 # For each release, its version and, indented, the names that it brought: "Client{call close}" has two members.
@@ -156,9 +155,7 @@ def linked(code: str, headers: Sequence[Header], layout: Layout) -> Markup:
 
 def _types(layout: Layout) -> dict[str, str]:
     """The pages of messages and types by their names."""
-    types: list[Enum | Packed | Quantity] = [*layout.enums, *layout.packed, *layout.quantities]
-    found = {message.name: uses.page_of_message(message) for message in layout.definitions}
-    return found | {type_.name: uses.page_of_type(type_) for type_ in types}
+    return {item.name: page_of(item) for item in (*layout.definitions, *layout.types)}
 
 
 def _link(page: str, text: str) -> Markup:
@@ -387,9 +384,7 @@ class _Reader:
         return start + self._arguments(element, len(start.striptags()))
 
     def _base(self, element: Element) -> Markup:
-        text = re.sub(r"sbgc::|(?<=<) | (?=>)", "", element.text or "")
-        page = self.pages.get(element.get("refid", ""))
-        return _link(page, text) if page else escape(text)
+        return self._reference(element, re.sub(r"sbgc::|(?<=<) | (?=>)", "", element.text or ""))
 
     def _template(self, element: Element) -> Markup:
         found = element.find("templateparamlist")
@@ -428,7 +423,8 @@ class _Reader:
             return Markup()
         result = self._words(element.text or "")
         for part in element:
-            result += self._reference(part) + self._words(part.tail or "")
+            result += self._reference(part, "".join(part.itertext()))
+            result += self._words(part.tail or "")
         plain = re.sub(r"&lt; | (?=&gt;|&amp;|\*)", lambda m: m[0].strip(), str(result))
         return Markup(plain.strip())
 
@@ -449,9 +445,8 @@ class _Reader:
             end = match.end()
         return parts + escape(text[end:])
 
-    def _reference(self, element: Element) -> Markup:
-        """A <ref> of Doxygen."""
-        text = "".join(element.itertext())
+    def _reference(self, element: Element, text: str) -> Markup:
+        """A link to what an element refers to."""
         page = self.pages.get(element.get("refid", ""))
         return _link(page, text) if page else escape(text)
 
@@ -487,7 +482,7 @@ class _Reader:
                 lines = (part.text or "").strip("\n")
                 result += Markup('</p><pre tabindex="0"><code>{}</code></pre><p>').format(lines)
             elif tag == "ref":
-                result += self._reference(part)
+                result += self._reference(part, "".join(part.itertext()))
             else:
                 result += _BLOCKS[tag](self._block(part))
             result += self._prose(part.tail or "")

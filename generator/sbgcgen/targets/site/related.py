@@ -9,7 +9,7 @@ from html import unescape
 
 from sbgcgen.model import Layout, Message, Struct
 from sbgcgen.targets.site.guides import Guide
-from sbgcgen.targets.site.uses import References
+from sbgcgen.targets.site.uses import References, instances
 from sbgcgen.views.rows import rows_of
 
 # How many neighbors in the family are listed; the page of the family has all.
@@ -72,13 +72,13 @@ class Relations:
     def _exchange(self, message: Message) -> Iterator[Message]:
         """The messages before and after it on the line. Every request may be confirmed."""
         is_confirmation = message in self._layout.having_role("confirmation")
-        instances = [m for m in self._layout.messages if m.name == message.name]
-        names = [name for m in instances if m.answer for name in m.answer.messages]
+        found = instances(message, self._layout)
+        names = [name for m in found if m.answer for name in m.answer.messages]
         names += [message.stores] if message.stores else []
         names += [m.name for m in self._uses.storers.get(message.name, ())]
         if not is_confirmation:
             names += [m.name for m in self._uses.answers.get(message.name, ())]
-        for instance in instances:
+        for instance in found:
             names += instance.role.messages if instance.role else ()
         yield from (self._by_name[name] for name in names)
 
@@ -93,9 +93,7 @@ class Relations:
         return list(dict.fromkeys(found))[:_GUIDES]
 
     def _tasks_of(self, message: Message) -> list[str]:
-        if all(
-            m.direction == "from_board" for m in self._layout.messages if m.name == message.name
-        ):
+        if all(m.direction == "from_board" for m in instances(message, self._layout)):
             return []
         forms = [m.name for m in self._layout.definitions if m.command == message.command]
         names = [message.name, *forms]  # its own tasks first

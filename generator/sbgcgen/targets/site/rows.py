@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import groupby
 
 from sbgcgen.model import Field, Layout, Leaf, Message
 from sbgcgen.oracle.codec import CodecError
-from sbgcgen.oracle.frames import choose_message, forms_of
+from sbgcgen.oracle.frames import choose_message
 
 
 @dataclass(frozen=True)
@@ -51,19 +52,14 @@ def byte_map(message: Message) -> tuple[list[list[Block]], list[Leaf]]:
 
 def sizes_of(message: Message, layout: Layout) -> str:
     """The body sizes that select this form of the command: "13", "16 to 255"."""
-    forms = forms_of(layout)
-    taken = []
-    for size in range(layout.max_body + 1):
+
+    def selects(size: int) -> bool:
         try:
-            if choose_message(forms, message.direction, message.id, size).name == message.name:
-                taken.append(size)
+            chosen = choose_message(layout.messages_by_id, message.direction, message.id, size)
         except CodecError:
-            pass
-    runs: list[list[int]] = []
-    for size in taken:
-        if runs and runs[-1][-1] == size - 1:
-            runs[-1].append(size)
-        else:
-            runs.append([size])
-    words = [str(run[0]) if len(run) == 1 else f"{run[0]} to {run[-1]}" for run in runs]
-    return ", ".join(words)
+            return False
+        return chosen.name == message.name
+
+    groups = groupby(range(layout.max_body + 1), selects)
+    runs = [list(sizes) for is_selected, sizes in groups if is_selected]
+    return ", ".join(str(r[0]) if len(r) == 1 else f"{r[0]} to {r[-1]}" for r in runs)

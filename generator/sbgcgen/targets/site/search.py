@@ -15,7 +15,7 @@ from sbgcgen.targets import Reference
 from sbgcgen.targets.site.documentation import anchors_of
 from sbgcgen.targets.site.guides import Guide
 from sbgcgen.targets.site.headers import Header
-from sbgcgen.targets.site.uses import page_of_message, page_of_type
+from sbgcgen.targets.site.uses import page_of
 from sbgcgen.views.firmware import History
 from sbgcgen.views.rows import Row, rows_of
 from sbgcgen.views.words import title_of
@@ -140,19 +140,19 @@ def _entries(layout: Layout, guides: Sequence[Guide], history: History) -> Itera
         yield from _guide(guide)
     for enum in layout.enums:
         kind = "flags" if enum.kind == "flags" else "enum"
-        yield Entry(kind, enum.name, enum.summary, page_of_type(enum), _lines(enum.source))
+        yield Entry(kind, enum.name, enum.summary, page_of(enum), _lines(enum.source))
     for packed in layout.packed:
         words = _joined(*(part.name for part in packed.parts), _lines(packed.source))
-        yield Entry("packed", packed.name, packed.summary, page_of_type(packed), words)
+        yield Entry("packed", packed.name, packed.summary, page_of(packed), words)
     for quantity in layout.quantities:
         words = f"{_unit(quantity)} {quantity.scale_text}"
-        yield Entry("unit", quantity.name, quantity.summary, page_of_type(quantity), words)
+        yield Entry("unit", quantity.name, quantity.summary, page_of(quantity), words)
     for message in layout.definitions:
         if not message.same_as:
             yield from _fields(message, layout)
     for enum in layout.enums:
         for value in enum.values:
-            page = f"{page_of_type(enum)}#{value.name}"
+            page = f"{page_of(enum)}#{value.name}"
             words = f"{enum.name} {value.value}"
             words = _joined(words, *(alias.spec_name for alias in value.aliases))
             yield Entry("value", value.name, value.summary, page, words)
@@ -212,9 +212,8 @@ def _messages(layout: Layout) -> Iterator[Entry]:
     def entry(message: Message, *twins: Message) -> Entry:
         numbers = f"{message.command} {message.id} 0x{message.id:02x}"
         words = _joined(numbers, _lines(message.source))
-        others = tuple(entry(twin) for twin in twins)
-        page = page_of_message(message)
-        return Entry("message", message.name, message.summary, page, words, others)
+        others = tuple(map(entry, twins))
+        return Entry("message", message.name, message.summary, page_of(message), words, others)
 
     writers = {s.message.name: s.writers for s in layout.settings}
     second = {twin.name for twins in writers.values() for twin in twins}
@@ -229,7 +228,7 @@ def _commands(layout: Layout) -> Iterator[Entry]:
     def entry(command: Command, *twins: Command) -> Entry:
         page = f"families/{command.family}.html#{command.name}"
         number = "" if command.id is None else f"{command.id} 0x{command.id:02x}"
-        others = tuple(entry(twin) for twin in twins)
+        others = tuple(map(entry, twins))
         words = _joined(number, _lines(command.source))
         return Entry("command", command.name, command.summary, page, words, others)
 
@@ -254,7 +253,7 @@ def _fields(message: Message, layout: Layout) -> Iterator[Entry]:
         if row.field.reserved:
             continue
         anchor = row.leaves[0].path if row.leaves else row.path
-        page = f"{page_of_message(message)}#field-{anchor}"
+        page = f"{page_of(message)}#field-{anchor}"
         words = " ".join([*_words_of(row), *_topics_of(row, layout), *twins])
         yield Entry("field", f"{message.name}.{row.path}", row.field.summary, page, words)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from sbgcgen.model import Availability, Enum, Layout, Message, Packed, Quantity, Type
 from sbgcgen.model.names import slug
@@ -20,15 +20,12 @@ class Use:
     since: Availability = Availability()
 
 
-def page_of_message(message: Message) -> str:
-    """The path of the page of a message."""
-    return f"messages/{slug(message.name)}.html"
+_FOLDERS = {Message: "messages", Packed: "packed", Quantity: "units", Enum: "enums"}
 
 
-def page_of_type(type_: Enum | Packed | Quantity) -> str:
-    """The path of the page of an enum, a flag set, a packed integer or a quantity."""
-    folder = {Packed: "packed", Quantity: "units", Enum: "enums"}[type(type_)]
-    return f"{folder}/{slug(type_.name)}.html"
+def page_of(item: Message | Enum | Packed | Quantity) -> str:
+    """The path of the page of a message or type."""
+    return f"{_FOLDERS[type(item)]}/{slug(item.name)}.html"
 
 
 @dataclass
@@ -63,32 +60,26 @@ def references(layout: Layout) -> References:
         found.of_errata(command.errata, Use("command", command.name, page, command.since))
     for message in layout.messages:
         _of_message(message, found)
-    types: tuple[Enum | Packed | Quantity, ...] = (
-        *layout.enums,
-        *layout.packed,
-        *layout.quantities,
-    )
-    for type_ in types:
-        use = Use(_kind(type_), type_.name, page_of_type(type_))
+    for type_ in layout.types:
+        use = Use(_kind(type_), type_.name, page_of(type_))
         found.of_errata(type_.errata, use)
         if isinstance(type_, Enum):
             for value in type_.values:
-                page = f"{page_of_type(type_)}#{value.name}"
+                page = f"{use.page}#{value.name}"
                 name = f"{type_.name} · {value.name}"
                 found.of_errata(value.errata, Use("value", name, page, value.since))
         if isinstance(type_, Packed):
             for part in type_.parts:
                 inner = part.enum or part.quantity
                 if inner:
-                    page = f"{page_of_type(type_)}#part-{part.name}"
+                    page = f"{use.page}#part-{part.name}"
                     name = f"{type_.name} · {part.name}"
                     found.of_type(inner.name, Use("packed value", name, page))
             if type_.names:
                 found.of_type(type_.names.name, use)
     for variable in layout.variables:
-        use = Use(
-            "adjustable variable", variable.name, f"variables.html#{variable.name}", variable.since
-        )
+        page = f"variables.html#{variable.name}"
+        use = Use("adjustable variable", variable.name, page, variable.since)
         found.of_errata(variable.errata, use)
         if variable.quantity:
             found.of_type(variable.quantity.name, use)
@@ -98,13 +89,11 @@ def references(layout: Layout) -> References:
 
 
 def _of_message(message: Message, found: References) -> None:
-    page = page_of_message(message)
+    page = page_of(message)
     here = Use("message", message.name, page, message.since)
     found.of_errata(message.errata, here)
     if message.answer:
-        found.of_errata(
-            message.answer.errata, Use("message", message.name, f"{page}#answer", message.since)
-        )
+        found.of_errata(message.answer.errata, replace(here, page=f"{page}#answer"))
     if message.stores:
         found.storers.setdefault(message.stores, []).append(message)
     for context in message.contexts:
@@ -112,9 +101,7 @@ def _of_message(message: Message, found: References) -> None:
         for name in names + [source for source, _ in context.sources]:
             found.contexts.setdefault(name, []).append(message)
         if context.type:
-            found.of_type(
-                context.type.name, Use("message", message.name, f"{page}#context", message.since)
-            )
+            found.of_type(context.type.name, replace(here, page=f"{page}#context"))
     for row in rows_of(message):
         since = message.since.later(row.since)
         use = Use("field", f"{message.name} · {row.path}", f"{page}#field-{row.first}", since)
@@ -133,11 +120,6 @@ def _kind(type_: Enum | Packed | Quantity) -> str:
     if isinstance(type_, Enum):
         return "flag set" if type_.kind == "flags" else "enum"
     return "packed value" if isinstance(type_, Packed) else "unit"
-
-
-def siblings(message: Message, layout: Layout) -> list[Message]:
-    """All messages with the same id, in both directions."""
-    return [m for m in layout.messages if m.id == message.id]
 
 
 def instances(message: Message, layout: Layout) -> list[Message]:
@@ -170,11 +152,6 @@ def availability_of_types(layout: Layout) -> dict[str, Availability]:
     for variable in layout.variables:
         add(variable.quantity, variable.since)
     return {name: min(all_, key=lambda since: since.firmware) for name, all_ in found.items()}
-
-
-def confirmation(layout: Layout) -> Message | None:
-    """The confirmation message; None if the protocol has none."""
-    return next(iter(layout.having_role("confirmation")), None)
 
 
 def asked_by(layout: Layout) -> dict[str, list[Message]]:

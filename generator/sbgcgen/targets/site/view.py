@@ -17,7 +17,7 @@ from jinja2.utils import htmlsafe_json_dumps
 from markupsafe import Markup, escape
 
 from sbgcgen import library
-from sbgcgen.model import Availability, Enum, Layout, Leaf, Message, Packed, Quantity, Revision
+from sbgcgen.model import Availability, Enum, Layout, Leaf, Message, Packed, Revision
 from sbgcgen.model.export import export
 from sbgcgen.oracle.example import Example, example_of, physical
 from sbgcgen.targets import Items, Target, View, codes_of, conversions_of, references_of
@@ -29,7 +29,7 @@ from sbgcgen.targets.site.guides import Guide, Pages, front_of, guides_in, name_
 from sbgcgen.targets.site.headers import Header, headers_of, linked
 from sbgcgen.targets.site.related import Relations
 from sbgcgen.targets.site.search import search_index
-from sbgcgen.targets.site.uses import confirmation
+from sbgcgen.targets.site.uses import page_of
 from sbgcgen.views.firmware import History, deprecated_always
 from sbgcgen.views.rows import Row, rows_of as rows_of_message
 from sbgcgen.views.settings import send_command
@@ -129,7 +129,7 @@ def view_of(site: Target, layout: Layout, project: Path) -> View:
             if f"guides/{name_of(Path(path).stem)}.html" in pages
         },
         "deprecated_always": deprecated_always(layout),
-        "confirmation": confirmation(layout),
+        "confirmation": next(iter(layout.having_role("confirmation")), None),
         "search_index": search_index(layout, guides, history, references, headers),
     }
     tests: dict[str, Callable[..., bool]] = {
@@ -170,7 +170,7 @@ def _filters(layout: Layout, headers: list[Header]) -> dict[str, Callable[..., A
         "page": page_of,
         "prose": prose,
         "rows": rows_of,
-        "siblings": lambda message: uses.siblings(message, layout),
+        "siblings": lambda message: [m for m in layout.messages if m.id == message.id],
         "instances": lambda message: uses.instances(message, layout),
         "sizes": lambda message: rows.sizes_of(message, layout),
         "byte_map": rows.byte_map,
@@ -186,14 +186,12 @@ def _filters(layout: Layout, headers: list[Header]) -> dict[str, Callable[..., A
         "send_command": send_command,
         "conversions": conversions_of,
         "documentation": Documentation,
-        "hex_bytes": lambda data: data.hex(" ").upper(),
+        "hex_bytes": lambda data: bytes(data).hex(" ").upper(),
         "plain": plain,
         "physical": lambda raw, quantity: physical(int(raw), quantity),
         "fragment": fragment,
         "breakable": lambda name: escape(name).replace("_", Markup("_<wbr>")),
         "breakable_word": breakable_word,
-        "hex_list": lambda numbers: bytes(numbers).hex(" ").upper(),
-        "with_unit": lambda quantities: [q for q in quantities if q.unit],
         "bits_hex": lambda value, size: f"0x{value & ((1 << 8 * size) - 1):0{2 * size}X}",
         "short": short,
         "label": label,
@@ -218,13 +216,6 @@ def later_leaves(message: Message, of: list[Row]) -> dict[str, Availability]:
         for leaf in row.leaves
         if row.since.is_after(message.since)
     }
-
-
-def page_of(item: Message | Enum | Packed | Quantity) -> str:
-    """The path of the page of a message or type."""
-    if isinstance(item, Message):
-        return uses.page_of_message(item)
-    return uses.page_of_type(item)
 
 
 def fragment(link: str) -> str:
@@ -278,8 +269,7 @@ def plain(value: Fraction) -> str:
 
 def short(path: str) -> str:
     """The last two steps of a path, which fit into a cell: axes.roll.speed -> roll.speed."""
-    words = path.split(".")
-    return ".".join(words[-2:])
+    return ".".join(path.split(".")[-2:])
 
 
 def label(row: Row) -> str:
@@ -296,7 +286,6 @@ def size_words(leaf: Leaf) -> str:
 
 
 def offset_words(leaf: Leaf, row: Row) -> str:
-    """The offset of a leaf in words."""
     if leaf.offset is None:
         return "varies"
     return f"{leaf.offset}…" if "[]" in leaf.path and "[]" in row.path else str(leaf.offset)

@@ -48,7 +48,6 @@ class TypeScript(Target):
     file = "types.ts"
 
     def files(self, layout: Layout, project: Path) -> Iterator[tuple[str, bytes]]:
-        """The only file."""
         yield self.file, "\n".join(_lines(layout)).encode() + b"\n"
 
 

@@ -13,7 +13,7 @@ from typing import Any
 
 from sbgcgen.model import Layout
 from sbgcgen.oracle.codec import CodecError
-from sbgcgen.oracle.frames import Forms, choose_message, forms_of
+from sbgcgen.oracle.frames import Forms, choose_message
 from sbgcgen.oracle.json_values import to_json
 from sbgcgen.oracle.streams import stream_lines
 from sbgcgen.oracle.vector_line import error_words, line
@@ -25,8 +25,7 @@ class Vectors(Target):
     """A file for each family, one for unknown messages, and one for framing."""
 
     def files(self, layout: Layout, project: Path) -> Iterator[tuple[str, bytes]]:
-        """The vector files by path."""
-        forms = forms_of(layout)
+        forms = layout.messages_by_id
         bodies: set[int] = set()
         for family in layout.families:
             lines = []

@@ -7,28 +7,9 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any
 
-from sbgcgen.model import (
-    ID,
-    SIZE,
-    START,
-    Alternative,
-    Announced,
-    AnswerCase,
-    Blob,
-    Checksum,
-    Condition,
-    Enum,
-    Field,
-    Framing,
-    Layout,
-    Leaf,
-    Message,
-    Packed,
-    Part,
-    Quantity,
-    Struct,
-    Type,
-)
+from sbgcgen.model import ID, SIZE, Alternative, Announced, AnswerCase, Blob, Checksum
+from sbgcgen.model import Condition, Enum, Field, Framing, Layout, Leaf, Message, Packed, Part
+from sbgcgen.model import Quantity, Struct, Type
 
 Table = dict[str, Any]
 
@@ -271,7 +252,6 @@ def _announced(layout: Layout, name: str, list_: str, path: str) -> Table:
 
 
 def fields(one: Message, names: Names) -> list[Table]:
-    """The fields of a message."""
     return [_field(field, names) for field in one.fields]
 
 
