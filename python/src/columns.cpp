@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <functional>
+#include <future>
 #include <thread>
 #include <vector>
 
@@ -65,9 +67,10 @@ void fill(const Rows& rows, std::span<const NumberColumn> columns) {
   const std::size_t most = std::clamp(std::thread::hardware_concurrency(), 1U, 4U);
   const std::size_t threads = std::clamp<std::size_t>(rows.count / worth_a_thread, 1, most);
   const auto begin_of = [&](std::size_t part) { return rows.count * part / threads; };
-  std::vector<std::jthread> others;
+  std::vector<std::future<void>> others;  // not std::jthread, which not every system has
   for (std::size_t i = 1; i < threads; ++i) {
-    others.emplace_back([&, i] { fill_part(rows, columns, begin_of(i), begin_of(i + 1)); });
+    others.push_back(std::async(std::launch::async, fill_part, std::cref(rows), columns,
+                                begin_of(i), begin_of(i + 1)));
   }
   fill_part(rows, columns, 0, begin_of(1));
 }

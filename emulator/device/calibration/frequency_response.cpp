@@ -81,6 +81,7 @@ double FrequencyResponse::stimulus(const CalibrationParts& parts, Run& run) cons
   const double from = std::max(1.0, run.request.start_freq.hertz());
   const double to = std::max(from, run.request.end_freq.hertz());
   const double share = static_cast<double>(run.samples) / run.request.samples_num;
+  // std::pow would bring its own tables into the WebAssembly module.
   const double frequency = run.request.stimulus_type == msg::BodeStimulus::sine_sweep
                                ? from + (to - from) * share
                                : from * std::exp(share * std::log(to / from));
