@@ -82,18 +82,6 @@ std::optional<std::vector<FixedValue>> fixed_layout(const MessageType& type) {
   return std::move(layout.values);
 }
 
-/// True if later messages are decoded with facts of this one.
-bool is_learned_from(const MessageType& type) {
-  static const auto names = [] {
-    std::vector<std::string_view> result;
-    AllMessages::for_each([&]<class M>(Type<M>) {
-      if constexpr (Contexts::learns_from<M>) result.emplace_back(Meta<M>::info.name);
-    });
-    return result;
-  }();
-  return std::ranges::find(names, type.info->name) != names.end();
-}
-
 /// True if a request decides which message such a frame is.
 bool is_asked(bool from_board, const Frame& frame) {
   bool result = false;
@@ -107,7 +95,7 @@ bool is_asked(bool from_board, const Frame& frame) {
 /// All messages of one type.
 struct Kind {
   explicit Kind(const MessageType& of)
-      : type(&of), layout(fixed_layout(of)), teaches(is_learned_from(of)) {
+      : type(&of), layout(fixed_layout(of)), teaches(of.operations->teach != nullptr) {
     if (layout) bodies = std::make_shared<Bodies>(of.info->min_size);
   }
 

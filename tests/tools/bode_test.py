@@ -19,6 +19,7 @@ from emulated_gimbal import EmulatedGimbal, emulated_gimbal
 from sbgc_command import PROGRAM, Result, run
 
 SHORT = ("--gain", "1000", "--from", "6", "--to", "200")
+LONG = ("--seconds", "20")
 
 
 @pytest.fixture(name="gimbal", scope="module")
@@ -146,8 +147,8 @@ def test_the_second_ctrl_c_turns_the_motors_off(tmp_path: Path) -> None:
     file = tmp_path / "yaw.csv"
     with emulated_gimbal() as gimbal:
         run("motors", "on", "--yes", "-p", gimbal.address)
-        status, text, seconds = interrupted(gimbal, file, signals=2)
-        assert (status, seconds < 3.5) == (130, True), text
+        status, text, seconds = interrupted(gimbal, file, *LONG, signals=2)
+        assert (status, seconds < 15) == (130, True), text
         assert "interrupted; the motors are off" in text
         assert not file.exists()
         refused = bode(gimbal, "yaw", *SHORT, "--table")
@@ -157,9 +158,9 @@ def test_the_second_ctrl_c_turns_the_motors_off(tmp_path: Path) -> None:
 def test_on_cancel_motors_off_needs_one(tmp_path: Path) -> None:
     with emulated_gimbal() as gimbal:
         run("motors", "on", "--yes", "-p", gimbal.address)
-        off = ("--on-cancel", "motors-off")
+        off = (*LONG, "--on-cancel", "motors-off")
         status, text, seconds = interrupted(gimbal, tmp_path / "yaw.csv", *off, signals=1)
-        assert (status, seconds < 3.5) == (130, True), text
+        assert (status, seconds < 15) == (130, True), text
         assert "interrupted; the motors are off" in text
 
 
