@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include <sbgc/any.hpp>
+#include <sbgc/dispatch.hpp>
 #include <sbgc/emulator/board_options.hpp>
 #include <sbgc/internal/parse_number.hpp>
 #include <sbgc/protocol.hpp>
@@ -131,10 +131,10 @@ std::string problem_of(msg::FirmwareVersion version) {
 
 msg::BoardVersion usual_board(msg::FirmwareVersion firmware) {
   msg::BoardVersion newest = emulator::BoardOptions{}.board;
-  for (const MessageType* const type : message_types()) {
-    const Availability& since = type->info->since;
-    if (since.firmware <= firmware.raw()) newest = std::max(newest, msg::BoardVersion(since.board));
-  }
+  AllMessages::for_each([&]<class M>(Type<M>) {
+    const msg::BoardVersion needed(M::since.board);
+    if (M::since.firmware <= firmware.raw()) newest = std::max(newest, needed);
+  });
   return newest;
 }
 

@@ -42,28 +42,35 @@ SBGC_NOINLINE void ValueRows::put_secret(Leaf leaf, StringOutput& out) const {
   put_raw(out, leaf);
 }
 
-SBGC_NOINLINE void ValueRows::note_unnamed(Row& row, const Leaf& leaf) {
-  row.objection = unnamed_text(leaf);
+SBGC_NOINLINE void ValueRows::write(Row& row, const Leaf& leaf, StringOutput& out) const {
+  const std::size_t begin = out.size();
+  if (leaf.field.secret) {
+    put_secret(leaf, out);
+  } else {
+    put_raw(out, leaf);
+  }
+  row.raw_size = out.size() - begin;
+  put_meaning(out, leaf);
+  row.text.assign(text_, begin, out.size() - begin);
+  row.unnamed.clear();
+  if (leaf.names != nullptr || leaf.packed != nullptr) row.unnamed = unnamed_text(leaf);
 }
 
 void ValueRows::add(const Leaf& leaf, StringOutput& out) {
   if (is_unused(leaf)) return;
   if (size_ == rows_->size()) rows_->emplace_back();
   Row& row = (*rows_)[size_++];
-  row.path.assign(leaf.path);
-  row.objection.clear();
+  const bool is_same_path = row.path.assign(leaf.path);
   row.offset = leaf.offset;
   row.size = leaf.size;
-  row.raw = out.size();
-  if (leaf.field.secret) {
-    put_secret(leaf, out);
-  } else {
-    put_raw(out, leaf);
+  const bool is_integer = leaf.kind == LeafKind::integer && leaf.announced == NumberType::none;
+  const Row::Source source{is_integer, leaf.integer, leaf.unit, leaf.assumed_before};
+  if (!is_same_path || !is_integer || source != row.source) {
+    row.source = source;
+    write(row, leaf, out);
   }
-  row.meaning = out.size();
-  put_meaning(out, leaf);
-  row.end = out.size();
-  if (leaf.names != nullptr || leaf.packed != nullptr) note_unnamed(row, leaf);
+  row.objection.clear();
+  if (!row.unnamed.empty()) row.objection = row.unnamed;
 }
 
 void ValueRows::object(const Violation& violation) {

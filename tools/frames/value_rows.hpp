@@ -18,8 +18,11 @@ namespace sbgc::tools {
 /// The text of a path.
 class PathText {
  public:
-  void assign(const FieldPath& path) {
-    if (!is_of(path)) replace(path);
+  /// Returns false if it was another path before.
+  bool assign(const FieldPath& path) {
+    if (is_of(path)) return true;
+    replace(path);
+    return false;
   }
   std::string_view text() const { return text_; }
 
@@ -44,40 +47,35 @@ class PathText {
   std::string text_{};
 };
 
-/// One value of a message. Its raw value and its meaning are texts of Rows.
+/// One value of a message.
 struct Row {
   PathText path{};
   std::string objection{};  ///< violation of the specification, such as "is below 1 Hz", or with
                             ///< its own subject, "MODE_RC needs firmware 2.66"
   std::size_t offset{};     ///< offset of the value in the body
   std::size_t size{};       ///< size of the value in bytes
-  // The places of the texts, one after another.
-  std::size_t raw{};
-  std::size_t meaning{};
-  std::size_t end{};
-};
 
-/// The values of one message.
-class Rows {
- public:
-  Rows() = default;
-  Rows(std::span<const Row> rows, const char* text) : rows_(rows), text_(text) {}
-
-  bool empty() const { return rows_.empty(); }
-  Rows first(std::size_t count) const { return {rows_.first(count), text_}; }
-  auto begin() const { return rows_.begin(); }
-  auto end() const { return rows_.end(); }
-
-  std::string_view raw(const Row& row) const { return {text_ + row.raw, row.meaning - row.raw}; }
+  std::string_view raw() const { return std::string_view(text).substr(0, raw_size); }
   /// Returns the value in its unit, or its name.
-  std::string_view meaning(const Row& row) const {
-    return {text_ + row.meaning, row.end - row.meaning};
-  }
+  std::string_view meaning() const { return std::string_view(text).substr(raw_size); }
 
- private:
-  std::span<const Row> rows_{};
-  const char* text_ = "";
+  /// What decides the texts of a value that is an integer.
+  struct Source {
+    bool is_integer{};
+    std::int64_t integer{};
+    const UnitInfo* unit{};
+    const LaterMeaning* assumed_before{};
+    bool operator==(const Source&) const = default;
+  };
+
+  // The texts, which stay while the value does.
+  Source source{};
+  std::string text{};  ///< raw value and meaning
+  std::size_t raw_size{};
+  std::string unnamed{};  ///< the objection that a value has no name, or ""
 };
+
+using Rows = std::span<const Row>;
 
 /// The values of one message after another. Keeps its memory.
 class ValueRows {
@@ -88,21 +86,21 @@ class ValueRows {
               Secrets secrets = Secrets::hidden);
 
   /// Returns the rows, valid until the next message.
-  Rows rows() const { return {{rows_->data(), size_}, text_.data()}; }
+  Rows rows() const { return {rows_->data(), size_}; }
 
  private:
   void add(const Leaf& leaf, StringOutput& out);
+  void write(Row& row, const Leaf& leaf, StringOutput& out) const;
   void put_secret(Leaf leaf, StringOutput& out) const;
-  static void note_unnamed(Row& row, const Leaf& leaf);
   void object(const Violation& violation);
 
-  // The paths of a message rarely change from one frame to the next.
+  // The paths of a message, and many of its values, do not change from one frame to the next.
   std::unordered_map<const MessageType*, std::vector<Row>> rows_of_messages_;
   std::vector<Row>* rows_ = nullptr;  // of the message, the first size_
   std::size_t size_ = 0;
   Secrets secrets_{};
   std::size_t objected_ = 0;  // the last row that has an objection
-  std::string text_;
+  std::string text_;          // of the values that have changed
 };
 
 /// Returns what to say of an enum value that has no name: "has no name; the nearest are
