@@ -77,9 +77,7 @@ void put_remark(TextOutput& out, std::string_view meaning, std::string_view obje
   out.put(objection);
 }
 
-bool has_remark(const Row& row) {
-  return row.text.size() != row.raw_size || !row.objection.empty();
-}
+bool has_remark(const Row& row) { return row.meaning != row.end || !row.objection.empty(); }
 
 /// The lines of a message: where the columns for path, raw value and remark begin.
 struct Columns {
@@ -89,14 +87,14 @@ struct Columns {
   bool are_short{};  ///< lines without an objection fit into TextOutput::most_room
 };
 
-Columns columns_of(Rows rows) {
+Columns columns_of(const Rows& rows) {
   std::size_t path_width = 0;
   std::size_t raw_width = 0;  // of values with a remark
   std::size_t most_text = 0;
   for (const Row& row : rows) {
     path_width = std::max(path_width, row.path.text().size());
-    if (has_remark(row)) raw_width = std::max(raw_width, row.raw_size);
-    most_text = std::max(most_text, row.text.size());
+    if (has_remark(row)) raw_width = std::max(raw_width, row.meaning - row.raw);
+    most_text = std::max(most_text, row.end - row.raw);
   }
   const std::size_t raw = Columns::path + path_width + 2;
   const std::size_t remark = raw + raw_width + 2;
@@ -145,12 +143,12 @@ void put_line(TextOutput& out, std::string_view path, std::string_view raw,
   out.put('\n');
 }
 
-void put_values(TextOutput& out, Rows rows, const Colors& colors) {
+void put_values(TextOutput& out, const Rows& rows, const Colors& colors) {
   const Columns columns = columns_of(rows);
   for (const Row& row : rows) {
     const std::string_view path = row.path.text();
-    const std::string_view raw = row.raw();
-    const std::string_view meaning = row.meaning();
+    const std::string_view raw = rows.raw(row);
+    const std::string_view meaning = rows.meaning(row);
     // Only quoted text has other characters than ASCII.
     const bool is_plain = columns.are_short && !colors.are_on();
     if (is_plain && row.objection.empty() && !raw.starts_with('"')) {

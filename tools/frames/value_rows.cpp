@@ -24,14 +24,16 @@ void PathText::replace(const FieldPath& path) {
 
 void ValueRows::assign(const AnyMessage& message, const Availability& allowed,
                        const Availability& meant, Secrets secrets) {
-  rows_ = &rows_of_messages_[&message.type()];
+  last_ = &messages_[&message.type()];
   size_ = 0;
   objected_ = 0;
   secrets_ = secrets;
-  text_.clear();
-  StringOutput out(text_);
+  last_->text.swap(last_->text_before);
+  last_->text.clear();
+  StringOutput out(last_->text);
   message.for_each_leaf([&](const Leaf& leaf) { add(leaf, out); }, meant);
   out.finish();
+  last_->rows.resize(size_);  // the texts of others are lost
   message.validate(allowed, [&](const Violation& violation) { object(violation); });
 }
 
@@ -43,29 +45,35 @@ SBGC_NOINLINE void ValueRows::put_secret(Leaf leaf, StringOutput& out) const {
 }
 
 SBGC_NOINLINE void ValueRows::write(Row& row, const Leaf& leaf, StringOutput& out) const {
-  const std::size_t begin = out.size();
+  row.raw = out.size();
   if (leaf.field.secret) {
     put_secret(leaf, out);
   } else {
     put_raw(out, leaf);
   }
-  row.raw_size = out.size() - begin;
+  row.meaning = out.size();
   put_meaning(out, leaf);
-  row.text.assign(text_, begin, out.size() - begin);
+  row.end = out.size();
   row.unnamed.clear();
   if (leaf.names != nullptr || leaf.packed != nullptr) row.unnamed = unnamed_text(leaf);
 }
 
 void ValueRows::add(const Leaf& leaf, StringOutput& out) {
   if (is_unused(leaf)) return;
-  if (size_ == rows_->size()) rows_->emplace_back();
-  Row& row = (*rows_)[size_++];
+  if (size_ == last_->rows.size()) last_->rows.emplace_back();
+  Row& row = last_->rows[size_++];
   const bool is_same_path = row.path.assign(leaf.path);
   row.offset = leaf.offset;
   row.size = leaf.size;
   const bool is_integer = leaf.kind == LeafKind::integer && leaf.announced == NumberType::none;
   const Row::Source source{is_integer, leaf.integer, leaf.unit, leaf.assumed_before};
-  if (!is_same_path || !is_integer || source != row.source) {
+  if (is_same_path && is_integer && source == row.source) {
+    const std::size_t moved = out.size() - row.raw;
+    out.put({last_->text_before.data() + row.raw, row.end - row.raw});
+    row.raw += moved;
+    row.meaning += moved;
+    row.end += moved;
+  } else {
     row.source = source;
     write(row, leaf, out);
   }
@@ -74,12 +82,10 @@ void ValueRows::add(const Leaf& leaf, StringOutput& out) {
 }
 
 void ValueRows::object(const Violation& violation) {
-  char buffer[128];
-  const std::string_view path(buffer, violation.path.write(buffer, sizeof buffer));
   // Most violations are reported in the order of the rows.
   for (std::size_t i = 0; i < size_; ++i) {
-    Row& row = (*rows_)[objected_];
-    if (row.path.text() == path) {
+    Row& row = last_->rows[objected_];
+    if (row.path.is_of(violation.path)) {
       const detail::Appender append{row.objection};
       PiecewiseOutput out(append);
       if (!row.objection.empty()) out.put(", ");
@@ -105,13 +111,13 @@ std::string nearest_text(const EnumInfo& names, std::int64_t value) {
   }
   const auto [below, above] = nearest;
   const auto text = [](const ValueInfo& one) {
-    return fmt::format("{} ({})", one.name, one.value);
+    return std::string(one.name) + " (" + std::to_string(one.value) + ')';
   };
   if (below == nullptr && above == nullptr) return "";
   const std::int64_t down = below == nullptr ? INT64_MAX : value - below->value;
   const std::int64_t up = above == nullptr ? INT64_MAX : above->value - value;
-  if (up == down) return fmt::format("; the nearest are {} and {}", text(*below), text(*above));
-  return fmt::format("; the nearest is {}", text(up < down ? *above : *below));
+  if (up == down) return "; the nearest are " + text(*below) + " and " + text(*above);
+  return "; the nearest is " + text(up < down ? *above : *below);
 }
 
 bool is_unnamed(const EnumInfo& names, std::int64_t value, bool takes_zero) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <string>
 #include <string_view>
@@ -26,40 +27,33 @@ class PathText {
   }
   std::string_view text() const { return text_; }
 
+  bool is_of(const FieldPath& path) const {
+    const Level* level = levels_.data();
+    for (const FieldPath* at = &path; at != nullptr; at = at->parent, ++level) {
+      if (level->name == nullptr || at->index != level->index) return false;
+      // Names are literals, which mostly have one address.
+      if (at->name != level->name && std::strcmp(at->name, level->name) != 0) return false;
+    }
+    return level->name == nullptr;
+  }
+
  private:
-  /// The path from the innermost name on. Names are literals, so equal pointers are equal names.
+  /// The path from the innermost name on.
   struct Level {
     const char* name{};
     std::size_t index{};
   };
   static constexpr std::size_t most_levels = 6;
 
-  bool is_of(const FieldPath& path) const {
-    const Level* level = levels_.data();
-    for (const FieldPath* at = &path; at != nullptr; at = at->parent, ++level) {
-      if (at->name != level->name || at->index != level->index) return false;
-    }
-    return level->name == nullptr;
-  }
   void replace(const FieldPath& path);
 
   std::array<Level, most_levels + 1> levels_{};  // ends with an empty one
   std::string text_{};
 };
 
-/// One value of a message.
+/// One value of a message. Its raw value and its meaning are texts of Rows.
 struct Row {
-  PathText path{};
-  std::string objection{};  ///< violation of the specification, such as "is below 1 Hz", or with
-                            ///< its own subject, "MODE_RC needs firmware 2.66"
-  std::size_t offset{};     ///< offset of the value in the body
-  std::size_t size{};       ///< size of the value in bytes
-
-  std::string_view raw() const { return std::string_view(text).substr(0, raw_size); }
-  /// Returns the value in its unit, or its name.
-  std::string_view meaning() const { return std::string_view(text).substr(raw_size); }
-
-  /// What decides the texts of a value that is an integer.
+  /// What decides the texts of an integer.
   struct Source {
     bool is_integer{};
     std::int64_t integer{};
@@ -68,14 +62,40 @@ struct Row {
     bool operator==(const Source&) const = default;
   };
 
-  // The texts, which stay while the value does.
+  PathText path{};
   Source source{};
-  std::string text{};  ///< raw value and meaning
-  std::size_t raw_size{};
-  std::string unnamed{};  ///< the objection that a value has no name, or ""
+  std::string unnamed{};    ///< the objection that a value has no name, or ""
+  std::string objection{};  ///< violation of the specification, such as "is below 1 Hz", or with
+                            ///< its own subject, "MODE_RC needs firmware 2.66"
+  std::size_t offset{};     ///< offset of the value in the body
+  std::size_t size{};       ///< size of the value in bytes
+  // The places of the texts, one after another.
+  std::size_t raw{};
+  std::size_t meaning{};
+  std::size_t end{};
 };
 
-using Rows = std::span<const Row>;
+/// The values of one message.
+class Rows {
+ public:
+  Rows() = default;
+  Rows(std::span<const Row> rows, const char* text) : rows_(rows), text_(text) {}
+
+  bool empty() const { return rows_.empty(); }
+  Rows first(std::size_t count) const { return {rows_.first(count), text_}; }
+  auto begin() const { return rows_.begin(); }
+  auto end() const { return rows_.end(); }
+
+  std::string_view raw(const Row& row) const { return {text_ + row.raw, row.meaning - row.raw}; }
+  /// Returns the value in its unit, or its name.
+  std::string_view meaning(const Row& row) const {
+    return {text_ + row.meaning, row.end - row.meaning};
+  }
+
+ private:
+  std::span<const Row> rows_{};
+  const char* text_ = "";
+};
 
 /// The values of one message after another. Keeps its memory.
 class ValueRows {
@@ -86,21 +106,27 @@ class ValueRows {
               Secrets secrets = Secrets::hidden);
 
   /// Returns the rows, valid until the next message.
-  Rows rows() const { return {rows_->data(), size_}; }
+  Rows rows() const { return {last_->rows, last_->text.data()}; }
 
  private:
+  /// The last message of a type. The paths, and many of the values, do not change from one frame
+  /// to the next.
+  struct Last {
+    std::vector<Row> rows{};
+    std::string text{};
+    std::string text_before{};  ///< of the message before it
+  };
+
   void add(const Leaf& leaf, StringOutput& out);
   void write(Row& row, const Leaf& leaf, StringOutput& out) const;
   void put_secret(Leaf leaf, StringOutput& out) const;
   void object(const Violation& violation);
 
-  // The paths of a message, and many of its values, do not change from one frame to the next.
-  std::unordered_map<const MessageType*, std::vector<Row>> rows_of_messages_;
-  std::vector<Row>* rows_ = nullptr;  // of the message, the first size_
-  std::size_t size_ = 0;
+  std::unordered_map<const MessageType*, Last> messages_;
+  Last* last_ = nullptr;
+  std::size_t size_ = 0;  // of the rows in use
   Secrets secrets_{};
   std::size_t objected_ = 0;  // the last row that has an objection
-  std::string text_;          // of the values that have changed
 };
 
 /// Returns what to say of an enum value that has no name: "has no name; the nearest are

@@ -399,7 +399,7 @@ Window draw_values(Screen& screen, View& view, const GimbalSnapshot& gimbal) {
       *gimbal.message);
   const Rows rows = values.rows();
   constexpr std::size_t column_width = 66;
-  const std::size_t count = rows.size();
+  const auto count = static_cast<std::size_t>(rows.end() - rows.begin());
   const std::size_t columns = std::max<std::size_t>(screen.width() / column_width, 1);
   const std::size_t lines = (count + columns - 1) / columns;
   const Window window = window_of(view, lines, end_row(screen) - first_row(screen));
@@ -408,11 +408,11 @@ Window draw_values(Screen& screen, View& view, const GimbalSnapshot& gimbal) {
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t line = i % lines;
     if (line < window.begin || line >= window.end) continue;
-    const Row& row = rows[i];
+    const Row& row = rows.begin()[static_cast<std::ptrdiff_t>(i)];
     const std::size_t top = first_row(screen) + line - window.begin;
     const std::size_t left = i / lines * column_width + 1;
-    const auto raw = fmt::format("{}", row.raw());
-    const auto meaning = fmt::format("{}", row.meaning());
+    const auto raw = fmt::format("{}", rows.raw(row));
+    const auto meaning = fmt::format("{}", rows.meaning(row));
     screen.put(top, left, row.path.text());
     if (screen.width() < column_width) {  // only one of both has room
       const std::size_t column = left + path_width + 2;
