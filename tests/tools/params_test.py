@@ -291,12 +291,15 @@ def test_interrupted_factory_defaults_are_undone(tmp_path: Path) -> None:
         board = gimbal.address
         good(board, "set", "gyro_trust=11", "pitch.p=21", "--yes")
         before = [body_of(board, profile) for profile in range(5)]
-        comparing = Watched("params", "diff", "--defaults", "--yes", "-p", board, cwd=tmp_path)
-        comparing.wait_for("CMD_USE_DEFAULTS")
-        comparing.process.send_signal(signal.SIGINT)
-        ended = comparing.end()
+        for _ in range(5):
+            comparing = Watched("params", "diff", "--defaults", "--yes", "-p", board, cwd=tmp_path)
+            comparing.wait_for("CMD_USE_DEFAULTS")
+            comparing.process.send_signal(signal.SIGINT)
+            ended = comparing.end()
+            assert [body_of(board, profile) for profile in range(5)] == before
+            if ended.status != 1:  # it ended before: a busy machine delays, but not each time
+                break
         assert ended.status == 130 and "are back as they were" in ended.error
-        assert [body_of(board, profile) for profile in range(5)] == before
 
 
 def test_an_interrupted_reset_says_what_is_reset(tmp_path: Path) -> None:
