@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <random>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -148,6 +150,31 @@ TEST(FrameText, LinesOfAnyLengthFitIntoTheMemoryOfTheOutput) {
     ample.finish();
     EXPECT_EQ(tight.take(), expected);
     EXPECT_FALSE(tight.has_overflown()) << size;
+  }
+}
+
+std::string text_of(FrameDecoder& decoder, std::span<const std::uint8_t> body) {
+  constexpr std::uint8_t set_adj_vars_val = 31;
+  std::string text;
+  StringOutput out(text);
+  put_text(out, decoder.decode({.id = set_adj_vars_val, .body = body}, Direction::to_board));
+  out.finish();
+  return text;
+}
+
+TEST(FrameText, DoesNotDependOnEarlierFrames) {
+  FrameDecoder decoder({.json = false, .rows = true});
+  std::minstd_rand random(1);
+  for (int i = 0; i < 500; ++i) {
+    // Few values of few variables, so that most of them stay.
+    std::vector<std::uint8_t> body{static_cast<std::uint8_t>(1 + random() % 4)};
+    for (unsigned n = 0; n < body[0]; ++n) {
+      const auto value = static_cast<std::uint8_t>(random() % 3 == 0 ? random() : 7);
+      const auto id = static_cast<std::uint8_t>(random() % 5 == 0 ? 201 : n);
+      body.insert(body.end(), {id, value, 0, 0, 0});
+    }
+    FrameDecoder fresh({.json = false, .rows = true});
+    EXPECT_EQ(text_of(decoder, body), text_of(fresh, body));
   }
 }
 
