@@ -146,24 +146,6 @@ TEST(Board, TellsOfTraffic) {
   EXPECT_EQ(host.board.counters().sent, 4U);
 }
 
-TEST(Board, SaysWhatItDoesNotKnow) {
-  Host host;
-  const auto bytes = [&](std::uint8_t id, const Bytes& body) {
-    host.send_bytes(frame_of(id, body));
-    Bytes all;
-    for (const Packet& packet : host.listen(milliseconds(50))) {
-      all.push_back(packet.id);
-      all.insert(all.end(), packet.body.begin(), packet.body.end());
-    }
-    return all;
-  };
-  // CMD_ERROR (255): the id of the rejected command, the error code and no further data.
-  EXPECT_EQ(bytes(200, {}), (Bytes{255, 200, 6, 0, 0, 0, 0})) << "UNKNOWN_COMMAND";
-  EXPECT_EQ(bytes(67, Bytes(3)), (Bytes{255, 67, 1, 0, 0, 0, 0})) << "CMD_SIZE";
-  EXPECT_EQ(bytes(114, Bytes(2)), (Bytes{255, 114, 1, 0, 0, 0, 0})) << "CMD_SIZE";
-  EXPECT_EQ(bytes(255, {200, 6, 0, 0, 0, 0}), Bytes{}) << "an error gets no response";
-}
-
 TEST(Board, IntroducesItselfWhateverTheSizeOfTheRequest) {
   Host host;
   const auto introduction = host.get<msg::BoardInfo>(msg::BoardInfoRequest{});
@@ -249,22 +231,6 @@ TEST(StateVariables, CountTimeAndEnergy) {
   EXPECT_GT(after.imu_temp_max.raw(), 0);
   EXPECT_LE(after.imu_temp_min.raw(), after.imu_temp_max.raw());
   EXPECT_GE(after.max_current.milliamperes(), after.avg_current.milliamperes());
-}
-
-TEST(StateVariables, SurviveARestartWithTheNumberOfStarts) {
-  Host host(newest_board());
-  host.listen(seconds(600));
-  const auto before = statistics(host);
-  EXPECT_EQ(before.startup_cnt, 1);
-  host.board.restart(host.now);
-  host.listen(seconds(2));
-  const auto after = statistics(host);
-  EXPECT_EQ(after.startup_cnt, 2);
-  EXPECT_GE(after.work_time.milliseconds(), before.work_time.milliseconds() - 61'000);
-  EXPECT_GT(after.work_time.milliseconds(), 500'000);
-  // Another board with the same memory goes on.
-  Host again(newest_board(), host.board.memory());
-  EXPECT_EQ(statistics(again).startup_cnt, 3);
 }
 
 TEST(StateVariables, AreNotStoredIfTheParametersForbidIt) {

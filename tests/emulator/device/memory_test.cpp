@@ -47,8 +47,6 @@ ByteVector numbered(std::size_t size, unsigned start = 1) {
   return result;
 }
 
-TEST(Eeprom, HasThePagesOfTheSpecification) { EXPECT_EQ(Eeprom::page_size(), page); }
-
 TEST(Eeprom, NewMemoryIsErased) {
   Memory memory;
   const Eeprom eeprom(memory);
@@ -79,25 +77,15 @@ TEST(Eeprom, WritesUpToTheLastPage) {
 TEST(Eeprom, RefusesWhatIsNoPages) {
   Memory memory;
   Eeprom eeprom(memory);
-  for (const std::uint32_t address : {1U, 63U, 65U, 96U}) {
+  const auto end = static_cast<std::uint32_t>(Memory::eeprom_size);
+  for (const std::uint32_t address : {1U, 63U, 65U, 96U, end, 0x10000U, 0x80000000U, 0xFFFFFFC0U}) {
     EXPECT_FALSE(eeprom.read_pages(address, page)) << address;
+    EXPECT_FALSE(eeprom.read_pages(address, 3 * page)) << address;
     EXPECT_FALSE(eeprom.write_pages(address, numbered(page))) << address;
   }
   for (const std::size_t size : {1U, 63U, 65U, 100U}) {
     EXPECT_FALSE(eeprom.read_pages(0, size)) << size;
     EXPECT_FALSE(eeprom.write_pages(0, numbered(size))) << size;
-  }
-  EXPECT_EQ(memory, Memory());
-}
-
-TEST(Eeprom, RefusesEveryAddressAfterTheEnd) {
-  Memory memory;
-  Eeprom eeprom(memory);
-  for (const std::uint32_t address :
-       {static_cast<std::uint32_t>(Memory::eeprom_size), 0x10000U, 0x80000000U, 0xFFFFFFC0U}) {
-    EXPECT_FALSE(eeprom.read_pages(address, page)) << address;
-    EXPECT_FALSE(eeprom.read_pages(address, 3 * page)) << address;
-    EXPECT_FALSE(eeprom.write_pages(address, numbered(page))) << address;
   }
   EXPECT_FALSE(eeprom.read_pages(page, static_cast<std::size_t>(-64)));
   EXPECT_EQ(memory, Memory());
@@ -231,25 +219,6 @@ TEST(Files, APartIsWhatFitsIntoIt) {
     EXPECT_EQ(part.file_size, 300);
     EXPECT_TRUE(part.data.empty());
   }
-}
-
-TEST(Files, AFullMemoryRefusesWithoutAnyChange) {
-  Memory memory;
-  FileSystem files(memory);
-  const std::uint16_t all = capacity();
-  EXPECT_GT(all, 10000);
-  ASSERT_EQ(write_whole(files, 1, numbered(all - page)), msg::FileError::no_error);
-  ASSERT_EQ(write_whole(files, 2, numbered(page)), msg::FileError::no_error);
-  const Memory before = memory;
-  EXPECT_EQ(files.write(3, 1, 0, numbered(1)), msg::FileError::no_free_space);
-  EXPECT_EQ(files.write(2, page + 1, 0, numbered(page)), msg::FileError::no_free_space);
-  EXPECT_EQ(files.write(2, 0xFFFF, 0, numbered(page)), msg::FileError::no_free_space);
-  EXPECT_EQ(memory, before);
-  // Deleting frees space.
-  ASSERT_EQ(files.write(2, 0, 0, {}), msg::FileError::no_error);
-  EXPECT_EQ(write_whole(files, 3, numbered(page)), msg::FileError::no_error);
-  EXPECT_EQ(whole(files, 1), numbered(all - page));
-  EXPECT_EQ(whole(files, 3), numbered(page));
 }
 
 TEST(Files, ADamagedTableIsNoticedAndClearRepairsIt) {
