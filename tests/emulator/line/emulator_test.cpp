@@ -16,12 +16,6 @@
 namespace sbgc::emulator::test {
 namespace {
 
-TEST(Emulator, AnswersOverALine) {
-  Bench bench;
-  bench.send(frame_of(msg::BoardInfoRequest{}));
-  EXPECT_EQ(frames_in(bench.listen(milliseconds(100)), msg::CommandFromBoard::board_info), 1U);
-}
-
 TEST(Emulator, TheLineTakesItsTime) {
   EmulatorOptions options;
   options.line.board.baud_rate = 9600;
@@ -276,16 +270,6 @@ TEST(Emulator, ConnectionsHaveFaultsOfTheirOwn) {
     if (lost(bench.port) != lost(other)) return;
   }
   FAIL() << "both lose the same bytes";
-}
-
-TEST(Emulator, UsbHasNoRate) {
-  EmulatorOptions options;
-  options.line.board.baud_rate = 9600;
-  Bench bench(options, true);
-  bench.send(stream_of(20));
-  EXPECT_NEAR(static_cast<double>(
-                  frames_in(bench.listen(seconds(5)), msg::CommandFromBoard::realtime_data_4)),
-              250, 3);
 }
 
 TEST(Emulator, RestartsWhenItIsTold) {

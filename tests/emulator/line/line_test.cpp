@@ -234,9 +234,6 @@ TEST(Deterministic, AnotherSeedIsAnotherLine) {
 namespace sbgc::emulator {
 namespace {
 
-using ::testing::ElementsAre;
-using ::testing::IsEmpty;
-
 using ByteVector = std::vector<std::uint8_t>;
 
 ByteVector every_byte() {
@@ -257,29 +254,24 @@ TEST(ReceivedAs, AlmostTheSameRateChangesNothing) {
   EXPECT_EQ(received_as(bytes, {115200, Parity::even}, {113500, Parity::even}), bytes);
 }
 
-TEST(ReceivedAs, HalfTheRate) {
-  // 0xE0 is six 0 bits, then ones: for the receiver, a start bit and two 0 bits.
-  EXPECT_THAT(received_as(ByteVector{0xE0}, {19200}, {9600}), ElementsAre(0xFC));
-}
-
-TEST(ReceivedAs, TwiceTheRate) {
-  // Sampled at twice the rate, 0xFF has a start bit of two bits, followed by ones.
-  EXPECT_THAT(received_as(ByteVector{0xFF}, {9600}, {19200}), ElementsAre(0xFE));
-  // 0x00 is a break: the stop bit is missing.
-  EXPECT_THAT(received_as(ByteVector{0x00}, {9600}, {19200}), IsEmpty());
-}
-
-TEST(ReceivedAs, ParityThatIsNotThere) {
-  // The stop bit is read as the parity bit: correct for an odd number of ones, if the line is idle
-  // afterwards.
-  EXPECT_THAT(received_as(ByteVector{0x01}, {9600}, {9600, Parity::even}), ElementsAre(0x01));
-  EXPECT_THAT(received_as(ByteVector{0x03}, {9600}, {9600, Parity::even}), IsEmpty());
-}
-
-TEST(ReceivedAs, ParityThatIsNotExpected) {
-  // The parity bit is read as the stop bit, so it must be 1.
-  EXPECT_THAT(received_as(ByteVector{0x01, 0x03, 0x07}, {9600, Parity::even}, {9600}),
-              ElementsAre(0x01, 0x07));
+TEST(ReceivedAs, OtherSettingsGiveOtherBytes) {
+  const LineSettings even{9600, Parity::even};
+  struct Case {
+    ByteVector sent;
+    LineSettings by, to;
+    ByteVector received;
+    const char* why;
+  };
+  for (const Case& one : std::vector<Case>{
+           {{0xE0}, {19200}, {9600}, {0xFC}, "six 0 bits, then ones: a start bit and two 0 bits"},
+           {{0xFF}, {9600}, {19200}, {0xFE}, "a start bit of two bits, then ones"},
+           {{0x00}, {9600}, {19200}, {}, "a break: the stop bit is missing"},
+           {{0x01}, {9600}, even, {0x01}, "an odd number of ones: the stop bit is the parity bit"},
+           {{0x03}, {9600}, even, {}, "an even number of ones"},
+           {{0x01, 0x03, 0x07}, even, {9600}, {0x01, 0x07}, "the parity bit is the stop bit"},
+       }) {
+    EXPECT_EQ(received_as(one.sent, one.by, one.to), one.received) << one.why;
+  }
 }
 
 }  // namespace
