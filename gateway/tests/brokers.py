@@ -150,6 +150,10 @@ class Subscriber:
         found = [one.json for one in list(self.messages) if one.topic.endswith(f"/{gimbal}/event")]
         return [one for one in found if one["event"] == kind]
 
+    def wait_for(self, gimbal: str = "front", state: str = "online") -> None:
+        topic = f"sbgc/studio/{gimbal}/state"
+        eventually(lambda: any(one.json["state"] == state for one in self.on(topic)))
+
     def close(self) -> None:
         self.process.kill()
         self.process.wait()

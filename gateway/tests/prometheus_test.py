@@ -13,10 +13,9 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-import pytest
-from brokers import Mosquitto
 from emulated_gimbal import emulated_gimbal
 from gateway import eventually, running_gateway
+from studio import fleet_of, gimbal_of, running_broker
 
 HERE = Path(__file__).parent
 SAMPLES = HERE.parent / "deploy"
@@ -85,14 +84,6 @@ def running_prometheus(folder: Path, target: str) -> Iterator[Prometheus]:
         prometheus.process.wait()
 
 
-@pytest.fixture
-def broker(tmp_path: Path) -> Iterator[Mosquitto]:
-    made = Mosquitto(tmp_path / "broker")
-    made.start()
-    yield made
-    made.kill()
-
-
 def dashboard_queries() -> dict[str, str]:
     dashboard = json.loads((SAMPLES / "dashboard.json").read_text())
     return {
@@ -102,16 +93,14 @@ def dashboard_queries() -> dict[str, str]:
     }
 
 
-def test_every_query_has_an_answer(tmp_path: Path, broker: Mosquitto) -> None:
+def test_every_query_has_an_answer(tmp_path: Path) -> None:
     """With a gimbal that reports an error, and one that is not there, no panel is empty."""
     fault = ("--fault", "imu,low-battery=10V")
-    with emulated_gimbal(*fault) as front:
-        text = (
-            '[fleet]\nname = "test"\n[metrics]\nlisten = "LISTEN"\ninterval = "500ms"\n'
-            f'[broker]\naddress = "127.0.0.1:{broker.port}"\njournal = "journal.db"\n'
-            f'[gimbal.front]\nport = "{front.address}"\ntelemetry = "RealtimeData4 20"\n'
-            '[gimbal.gone]\nport = "tcp:127.0.0.1:1"\n'
-        )
+    with running_broker(tmp_path) as broker, emulated_gimbal(*fault) as front:
+        gone = gimbal_of("tcp:127.0.0.1:1", name="gone")
+        there = gimbal_of(front.address, "", 'telemetry = "RealtimeData4 20"')
+        text = fleet_of(f'"127.0.0.1:{broker.port}"', there, gone)
+        text += '[metrics]\nlisten = "LISTEN"\ninterval = "500ms"\n'
         with running_gateway(tmp_path, text) as gateway:
             target = gateway.metrics_address.split("/")[2]
             with running_prometheus(tmp_path, target) as prometheus:

@@ -22,19 +22,7 @@ from brokers import Commander, Mosquitto, Subscriber, now
 from emulated_gimbal import EmulatedGimbal, emulated_gimbal
 from gateway import Gateway, eventually, hanging_disk, running_gateway
 from sbgc_command import run
-
-FLEET = """[fleet]
-name = "studio"
-[broker]
-address = "127.0.0.1:{port}"
-journal = "fleet.db"
-stop-after = 1
-{broker}
-[gimbal.front]
-port = "{front}"
-allow = ["stop", "move", "speed", "motors", "calibrate", "get", "raw"]
-raw-effects = ["sets", "moves", "restarts"]
-"""
+from studio import fleet_of, gimbal_of, running_broker
 
 TURN = {
     "message": "Control",
@@ -112,7 +100,11 @@ class Stage:
         self.say = Commander(broker.port)
 
     def fleet(self, settings: str = "") -> str:
-        return FLEET.format(port=self.broker.port, front=self.line.address, broker=settings)
+        allow = "stop move speed motors calibrate get raw"
+        effects = 'raw-effects = ["sets", "moves", "restarts"]'
+        gimbal = gimbal_of(self.line.address, allow, effects)
+        address = f'"127.0.0.1:{self.broker.port}"'
+        return fleet_of(address, gimbal, settings=f"stop-after = 1\n{settings}")
 
     def online(self) -> int:
         """How often the gimbal was reported to be online."""
@@ -145,13 +137,14 @@ class Stage:
 
 @pytest.fixture(name="stage")
 def stage_(tmp_path: Path) -> Iterator[Stage]:
-    broker = Mosquitto(tmp_path / "broker", "allow_anonymous true\nmax_queued_messages 0\n")
-    broker.start()
-    with emulated_gimbal("--calibration-time", "100") as front:
+    settings = "allow_anonymous true\nmax_queued_messages 0\n"
+    with (
+        running_broker(tmp_path, settings) as broker,
+        emulated_gimbal("--calibration-time", "100") as front,
+    ):
         stage = Stage(tmp_path, broker, front)
         yield stage
         stage.seen.close()
-    broker.kill()
 
 
 def start_turning(stage: Stage) -> None:
@@ -254,10 +247,8 @@ def test_a_line_that_comes_back_stops_the_motion(stage: Stage, task: str, parame
         stage.line.is_up = True
         eventually(lambda: stage.online() > before)
         eventually(stage.stands)
-        assert (
-            "line was lost"
-            in eventually(lambda: stage.seen.events("front", "stopped"))[0]["message"]
-        )
+        stopped = eventually(lambda: stage.seen.events("front", "stopped"))[0]
+        assert "line was lost" in stopped["message"]
         assert gateway.end() == 0
 
 
