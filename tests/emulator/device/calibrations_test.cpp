@@ -23,25 +23,6 @@ msg::CalibInfo info(Host& host, msg::SelectedImu imu = msg::SelectedImu::main) {
   return host.get<msg::CalibInfo>(msg::CalibInfoRequest{.imu_type = imu});
 }
 
-TEST(Calibrations, ProgressGoesFromNothingToAll) {
-  Host host;
-  EXPECT_EQ(info(host).progress, msg::Percent(0));
-  host.ask(msg::CalibGyro{});
-  int last = 0, steps = 0;
-  for (int i = 0; i < 10; ++i) {
-    const int now = info(host).progress.raw();
-    EXPECT_GE(now, last);
-    steps += now > last ? 1 : 0;
-    last = now;
-    host.listen(milliseconds(300));
-  }
-  EXPECT_GT(steps, 5);
-  EXPECT_GT(last, 50);
-  EXPECT_LT(last, 100);
-  host.listen(seconds(2));
-  EXPECT_EQ(info(host).progress, msg::Percent(100));
-}
-
 TEST(Calibrations, ErasingTheEepromForgetsThem) {
   Memory memory;
   memory.battery_factor = 1.5;
