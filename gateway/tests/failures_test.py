@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 from broker_test import speed_of
+from brokers import suspended
 from gateway import Gateway, eventually, running_gateway
 from studio import Studio, fleet_of, gimbal_of, running_broker, running_studio
 
@@ -151,14 +152,12 @@ def most_memory(gateway: Gateway) -> int:
 def test_payloads_without_an_end(tmp_path: Path) -> None:
     """The gateway holds one message that is too long in memory, never several."""
     with studio_with_acl(tmp_path) as studio:
-        process = studio.gateway.process
         before = most_memory(studio.gateway)
         megabytes = 20
         count = 10
-        process.send_signal(signal.SIGSTOP)
-        for _ in range(count):
-            studio.say.publish("sbgc/studio/front/cmd/get", "x" * (megabytes << 20))
-        process.send_signal(signal.SIGCONT)
+        with suspended(studio.gateway.process):
+            for _ in range(count):
+                studio.say.publish("sbgc/studio/front/cmd/get", "x" * (megabytes << 20))
         eventually(lambda: len(studio.seen.events("front", "result")) == count, 60)
         # What arrives, and the copy that the library makes.
         assert most_memory(studio.gateway) - before < 4 * megabytes

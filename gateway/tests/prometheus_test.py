@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import re
-import socket
 import subprocess
 import urllib.parse
 import urllib.request
@@ -13,6 +12,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+from brokers import free_port
 from emulated_gimbal import emulated_gimbal
 from gateway import eventually, running_gateway
 from studio import fleet_of, gimbal_of, running_broker
@@ -44,9 +44,7 @@ class Prometheus:
             "scrape_configs": [{"job_name": "sbgc", "static_configs": [{"targets": [target]}]}],
         }
         (folder / "prometheus.yml").write_text(json.dumps(configuration))
-        with socket.socket() as free:
-            free.bind(("127.0.0.1", 0))
-            self.address = f"127.0.0.1:{free.getsockname()[1]}"
+        self.address = f"127.0.0.1:{free_port()}"
         self.process = subprocess.Popen(
             [
                 "prometheus",

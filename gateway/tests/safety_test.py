@@ -5,22 +5,22 @@ from __future__ import annotations
 import json
 import os
 import random
-import signal
 import socket
 import subprocess
 import threading
 import time
-from collections.abc import Iterator
-from contextlib import contextmanager
+from collections.abc import Callable, Iterator
+from contextlib import AbstractContextManager, contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 from broker_test import check
-from brokers import Commander, Mosquitto, Subscriber, now
+from brokers import Commander, Mosquitto, Subscriber, now, suspended
 from emulated_gimbal import EmulatedGimbal, emulated_gimbal
 from gateway import Gateway, eventually, hanging_disk, running_gateway
+from relay import pass_on
 from sbgc_command import run
 from studio import fleet_of, gimbal_of, running_broker
 
@@ -62,29 +62,19 @@ class Line:
                 continue
             self.ends += [near, far]
             for source, sink in ((near, far), (far, near)):
-                threading.Thread(target=self._carry, args=(source, sink), daemon=True).start()
+                arguments = (source, sink, self._change)
+                threading.Thread(target=pass_on, args=arguments, daemon=True).start()
 
-    def _carry(self, source: socket.socket, sink: socket.socket) -> None:
-        try:
-            while data := source.recv(4096):
-                while self.holds:
-                    time.sleep(0.01)
-                sink.sendall(bytes(one for one in data if self.random.random() >= self.loss))
-        except OSError:
-            pass
-        for end in (source, sink):
-            try:
-                end.shutdown(socket.SHUT_RDWR)
-            except OSError:
-                pass
+    def _change(self, data: bytes) -> bytes:
+        while self.holds:
+            time.sleep(0.01)
+        return bytes(one for one in data if self.random.random() >= self.loss)
 
     def cut(self) -> None:
         self.is_up = False
         for end in self.ends:
-            try:
+            with suppress(OSError):
                 end.shutdown(socket.SHUT_RDWR)
-            except OSError:
-                pass
         self.ends = []
 
 
@@ -320,18 +310,6 @@ def test_a_restart_that_waited_at_the_broker_is_refused(stage: Stage) -> None:
         assert stage.seen.result(key)["error"]["code"] == "queued"
 
 
-def test_a_speed_does_not_stop_what_comes_after_it(stage: Stage) -> None:
-    with running_gateway(stage.folder, stage.fleet()):
-        stage.motors_on()
-        time.sleep(0.5)  # after the connection, speeds are refused
-        for _ in range(3):
-            assert stage.result("speed", {"speeds": {"pitch": 3}})["status"] == "done"
-            assert stage.result("raw", TURN)["status"] == "done"
-            time.sleep(1)  # longer than the speed lasts
-            assert stage.turns()
-            assert stage.result("stop")["status"] == "done"
-
-
 def test_a_command_that_is_to_be_retained_is_refused(stage: Stage) -> None:
     """MQTT 5 shows it. Without it, a broker would move the camera again after each connection."""
     with running_gateway(stage.folder, stage.fleet('mqtt = "5"\n')):
@@ -344,10 +322,9 @@ def test_a_command_that_is_to_be_retained_is_refused(stage: Stage) -> None:
 def test_what_has_come_with_a_stop_does_not_begin_after_it(stage: Stage) -> None:
     with running_gateway(stage.folder, stage.fleet()) as gateway:
         stage.motors_on()
-        gateway.process.send_signal(signal.SIGSTOP)
-        move = stage.say.command("front", "move", FAR)
-        stop = stage.say.command("front", "stop")
-        gateway.process.send_signal(signal.SIGCONT)
+        with suspended(gateway.process):
+            move = stage.say.command("front", "move", FAR)
+            stop = stage.say.command("front", "stop")
         assert stage.seen.result(stop)["status"] == "done"
         assert stage.seen.result(move)["error"]["code"] == "superseded"
         assert stage.stands()
@@ -389,13 +366,6 @@ def held(line: Line) -> Iterator[None]:
     line.holds = False
 
 
-@contextmanager
-def stopped(process: subprocess.Popen[bytes]) -> Iterator[None]:
-    process.send_signal(signal.SIGSTOP)
-    yield
-    process.send_signal(signal.SIGCONT)
-
-
 @pytest.mark.parametrize("version", ["3.1.1", pytest.param("5", marks=pytest.mark.long)])
 @pytest.mark.parametrize("part", ["gateway", "broker", "path"])
 def test_no_speed_comes_late(stage: Stage, part: str, version: str) -> None:
@@ -423,16 +393,15 @@ def test_no_speed_comes_late(stage: Stage, part: str, version: str) -> None:
 
         stage.motors_on()
         publish(1)
-        assert stage.broker.process is not None
-        suspension = {
-            "gateway": lambda: stopped(gateway.process),
-            "broker": lambda: stopped(stage.broker.process),
+        suspension: dict[str, Callable[[], AbstractContextManager[None]]] = {
+            "gateway": lambda: suspended(gateway.process),
+            "broker": lambda: suspended(stage.broker.process),
             "path": lambda: held(path),
-        }[part]
-        with suspension():
+        }
+        with suspension[part]():
             publish(chance.uniform(0.6, 4))
         publish(0.2)
-        with suspension():  # again, while what has waited still comes
+        with suspension[part]():  # again, while what has waited still comes
             publish(1.5)
         resumed = now()
         publish(3)

@@ -100,7 +100,11 @@ emulator::BoardOptions options_of(const Words& words) {
       char comma{};
       numbers >> angles.roll >> comma >> angles.pitch >> comma >> angles.yaw;
       options.gimbal.frame = {emulator::Disturbance::Kind::recorded, 1, {{Instant{}, angles}}};
-    } else if (word == "saving")
+    } else if (word.starts_with("start="))
+      options.start_time = duration_of(word.substr(6));
+    else if (word.starts_with("bootloader="))
+      options.bootloader_time = duration_of(word.substr(11));
+    else if (word == "saving")
       options.waits_for_saving = true;
     else if (word == "still")
       options.gimbal.noise = 0;

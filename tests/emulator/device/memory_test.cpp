@@ -196,13 +196,6 @@ std::uint16_t capacity() {
   return size;
 }
 
-TEST(Files, ANewBoardHasNone) {
-  Memory memory;
-  const FileSystem files(memory);
-  EXPECT_EQ(files.read(0, 0, 64).error, msg::FileError::file_not_found);
-  EXPECT_EQ(files.size(0), 0);
-}
-
 TEST(Files, APartIsWhatFitsIntoIt) {
   Memory memory;
   FileSystem files(memory);

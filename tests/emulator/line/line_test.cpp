@@ -118,17 +118,6 @@ TEST(WrongSettings, TheRateOfTheHostCounts) {
   EXPECT_EQ(line.counters().mismatched, 100U);
 }
 
-TEST(WrongSettings, GarbageOfHalfTheRate) {
-  Line line({.board = {19200}}, Way::to_host, start, start);
-  line.set_host(LineSettings{9600});
-  // 0xE0 is six 0 bits, then ones: for the host, a start bit and two 0 bits. The host samples its
-  // stop bit in the middle of the board's 20th bit, long after the board's byte has ended.
-  line.send(Bytes{0xE0}, start);
-  EXPECT_THAT(received(line, start + microseconds(900)), IsEmpty());
-  EXPECT_LE(line.next(), start + microseconds(1045));
-  EXPECT_THAT(arrivals(line, later_on), ElementsAre(testing::Field(&Arrived::byte, 0xFC)));
-}
-
 TEST(WrongSettings, RightOnesAgain) {
   Line line({.board = {115200}}, Way::to_host, start, start);
   const Bytes bytes = frames(3);

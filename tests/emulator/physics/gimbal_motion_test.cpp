@@ -67,19 +67,6 @@ TEST(Motion, ATargetThatChangesIsFollowedWithinTheLimits) {
   }
 }
 
-TEST(Motion, SpeedGoesOnOverManyTurnsUntilItIsZero) {
-  Gimbal gimbal = ready();
-  gimbal.command(yaw, {AxisMode::speed, 90, 12345, 0}, ms(0));
-  const Sample turning = gimbal.sample(ms(20000));
-  EXPECT_EQ(turning.target_speeds.yaw, 90);
-  EXPECT_NEAR(turning.angles.yaw, 1800, 10);
-  EXPECT_NEAR(turning.speeds.yaw, 90, 0.01);
-  gimbal.command(yaw, {AxisMode::speed, 0, 0, 0}, ms(20000));
-  const Sample halted = gimbal.sample(ms(21000));
-  EXPECT_EQ(halted.target_speeds.yaw, 0);
-  EXPECT_EQ(gimbal.sample(ms(30000)).targets.yaw, halted.targets.yaw);
-}
-
 TEST(Motion, AngleMeansTheNearestModuloFourTurns) {
   Gimbal gimbal = ready();
   gimbal.place({0, 0, 700}, ms(0));
@@ -102,16 +89,6 @@ TEST(Motion, SpeedAngleFollowsAnglesThatComeInSteps) {
   const Sample sample = gimbal.sample(ms(20000));
   EXPECT_NEAR(sample.targets.pitch, 0.02 * 4980, 1e-9);
   EXPECT_EQ(sample.target_speeds.pitch, 0);
-}
-
-TEST(Motion, TheSpeedOfSpeedAngleLeadsForAWhile) {
-  Gimbal gimbal = ready();
-  gimbal.command(yaw, {AxisMode::speed_angle, 20, 10, 0}, ms(0));
-  EXPECT_GT(gimbal.sample(ms(480)).targets.yaw, 11) << "it is ahead of the angle";
-  EXPECT_EQ(gimbal.sample(ms(3000)).targets.yaw, 10);
-  gimbal.command(yaw, {AxisMode::speed_angle, -20, 10, 0}, ms(3000));
-  EXPECT_LT(gimbal.sample(ms(3480)).targets.yaw, 9);
-  EXPECT_EQ(gimbal.sample(ms(6000)).targets.yaw, 10);
 }
 
 TEST(Motion, ARestartForgetsWholeTurnsOfTheJoints) {

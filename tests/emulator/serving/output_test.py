@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import fcntl
 import os
-import pty
 import re
 import signal
 import subprocess
@@ -19,7 +18,6 @@ from emulator import (
     CONFIRM,
     DATA_STREAM_INTERVAL,
     PATIENCE,
-    Connection,
     Emulator,
     Terminal,
     stream,
@@ -58,53 +56,6 @@ def test_a_reader_of_its_output_that_goes_away(tmp_path: Path) -> None:
         assert emulator.process.stderr is not None
         emulator.process.stderr.close()
     assert not link.is_symlink()
-
-
-def ask_often(host: Connection) -> None:
-    """Sends requests for more lines than the reader's pipe or terminal holds; all get a response."""
-    at_once = 400  # read at once: a stall within a frame would discard it
-    for _ in range(3):
-        host.heard = b""
-        os.write(host.fd, frame(BOARD_INFO) * at_once)
-        while len(host.heard) < 23 * at_once:
-            assert host.receive(PATIENCE)
-
-
-@pytest.mark.parametrize("kind", ["pipe", "terminal"])
-def test_a_reader_of_its_output_that_stalls(kind: str) -> None:
-    reader, out = os.pipe() if kind == "pipe" else pty.openpty()
-    process = subprocess.Popen(
-        [PROGRAM, "emulate", "--tcp", "0", "--verbose"],
-        stdout=out,
-        stderr=subprocess.PIPE,
-    )
-    try:
-        line = b""
-        while not line.endswith(b"\n"):
-            line += os.read(reader, 4096)
-        host = Connection(line.decode().strip().partition(": ")[2])
-        ask_often(host)
-        ask_often(host)
-        # Omitted lines are reported when there is space again.
-        lines = os.read(reader, 65536)
-        end = time.monotonic() + PATIENCE
-        while b"lines dropped" not in lines:
-            assert time.monotonic() < end
-            host.ask(BOARD_INFO)
-            lines += os.read(reader, 65536)
-        for line in lines.splitlines()[:-1]:
-            assert b" CMD_BOARD_INFO (86), " in line or b"dropped" in line or b"is host" in line
-        # It exits even if its output is not read.
-        ask_often(host)
-        process.terminate()
-        assert process.wait(PATIENCE) == 0
-        assert process.stderr is not None and process.stderr.read() == b""
-        host.close()
-    finally:
-        process.kill()
-        process.communicate()
-        os.close(reader)
-        os.close(out)
 
 
 def test_a_reader_of_its_warnings_that_stalls() -> None:
