@@ -94,21 +94,6 @@ def test_nothing_else_is_replaced_by_a_link(tmp_path: Path) -> None:
     assert Path(os.readlink(used)) == taken
 
 
-def test_nohup_is_respected() -> None:
-    command = ["nohup", PROGRAM, "emulate", "--stdio"]
-    with subprocess.Popen(
-        command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE
-    ) as process:
-        assert process.stdin and process.stdout and process.stderr
-        while b"emulated gimbal" not in process.stderr.readline():
-            assert process.poll() is None
-        process.send_signal(signal.SIGHUP)
-        process.stdin.write(frame(BOARD_INFO))
-        process.stdin.close()
-        assert len(process.stdout.read()) == 23
-        assert process.wait(PATIENCE) == 0
-
-
 def test_many_boards(tmp_path: Path) -> None:
     link = tmp_path / "gimbal"
     options = f"--count 3 --tcp 0 --link {link} --state {tmp_path / 's'}".split()
