@@ -214,6 +214,25 @@ TEST(Files, APartIsWhatFitsIntoIt) {
   }
 }
 
+TEST(Files, AFullMemoryRefusesWithoutAnyChange) {
+  Memory memory;
+  FileSystem files(memory);
+  const std::uint16_t all = capacity();
+  EXPECT_GT(all, 10000);
+  ASSERT_EQ(write_whole(files, 1, numbered(all - page)), msg::FileError::no_error);
+  ASSERT_EQ(write_whole(files, 2, numbered(page)), msg::FileError::no_error);
+  const Memory before = memory;
+  EXPECT_EQ(files.write(3, 1, 0, numbered(1)), msg::FileError::no_free_space);
+  EXPECT_EQ(files.write(2, page + 1, 0, numbered(page)), msg::FileError::no_free_space);
+  EXPECT_EQ(files.write(2, 0xFFFF, 0, numbered(page)), msg::FileError::no_free_space);
+  EXPECT_EQ(memory, before);
+  // Deleting frees space.
+  ASSERT_EQ(files.write(2, 0, 0, {}), msg::FileError::no_error);
+  EXPECT_EQ(write_whole(files, 3, numbered(page)), msg::FileError::no_error);
+  EXPECT_EQ(whole(files, 1), numbered(all - page));
+  EXPECT_EQ(whole(files, 3), numbered(page));
+}
+
 TEST(Files, ADamagedTableIsNoticedAndClearRepairsIt) {
   Memory memory;
   FileSystem files(memory);

@@ -53,6 +53,16 @@ INSTANTIATE_TEST_SUITE_P(Kinds, Frames,
                          testing::Values(Disturbance::Kind::handheld, Disturbance::Kind::drone,
                                          Disturbance::Kind::vehicle));
 
+TEST(Hold, OneAxisWithoutPowerMovesWithTheFrame) {
+  Tuning tuning;
+  tuning.axes.roll.power = 0;
+  Gimbal gimbal = ready(moving(Disturbance::Kind::handheld), tuning);
+  const Sample sample = gimbal.sample(ms(9000));
+  EXPECT_NEAR(sample.angles.roll, sample.frame.roll, 1e-9);
+  EXPECT_EQ(sample.power.roll, 0);
+  EXPECT_NEAR(sample.angles.pitch, sample.targets.pitch, 0.1);
+}
+
 TEST(Hold, HelpFromOutsideMakesItBetter) {
   Gimbal alone = ready(moving(Disturbance::Kind::handheld));
   Gimbal helped = ready(moving(Disturbance::Kind::handheld));
