@@ -310,6 +310,18 @@ def test_a_restart_that_waited_at_the_broker_is_refused(stage: Stage) -> None:
         assert stage.seen.result(key)["error"]["code"] == "queued"
 
 
+def test_a_speed_does_not_stop_what_comes_after_it(stage: Stage) -> None:
+    with running_gateway(stage.folder, stage.fleet()):
+        stage.motors_on()
+        time.sleep(0.5)  # after the connection, speeds are refused
+        for _ in range(3):
+            assert stage.result("speed", {"speeds": {"pitch": 3}})["status"] == "done"
+            assert stage.result("raw", TURN)["status"] == "done"
+            time.sleep(1)  # longer than the speed lasts
+            assert stage.turns()
+            assert stage.result("stop")["status"] == "done"
+
+
 def test_a_command_that_is_to_be_retained_is_refused(stage: Stage) -> None:
     """MQTT 5 shows it. Without it, a broker would move the camera again after each connection."""
     with running_gateway(stage.folder, stage.fleet('mqtt = "5"\n')):
