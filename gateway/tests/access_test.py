@@ -5,8 +5,7 @@ from __future__ import annotations
 
 import json
 import subprocess
-from collections.abc import Iterator
-from contextlib import ExitStack, contextmanager
+from contextlib import ExitStack, closing
 from pathlib import Path
 
 from brokers import (
@@ -19,36 +18,10 @@ from brokers import (
     program,
     signed,
 )
-from emulated_gimbal import emulated_gimbal
 from gateway import Gateway, eventually, running_gateway
+from studio import fleet_of, gimbal_of, running_studio
 
 ACL = Path(__file__).parents[1] / "deploy/mosquitto.acl"
-
-
-def fleet(broker: Mosquitto, gimbal: str, more: str) -> str:
-    return f"""[fleet]
-name = "studio"
-[broker]
-address = "127.0.0.1:{broker.port}"
-journal = "fleet.db"
-{more}
-[gimbal.front]
-port = "{gimbal}"
-allow = ["raw", "home"]
-"""
-
-
-@contextmanager
-def running(folder: Path, settings: str, more: str) -> Iterator[tuple[Mosquitto, Gateway]]:
-    broker = Mosquitto(folder / "broker", settings)
-    broker.start()
-    try:
-        with emulated_gimbal() as gimbal, running_gateway(
-            folder, fleet(broker, gimbal.address, more)
-        ) as gateway:
-            yield broker, gateway
-    finally:
-        broker.kill()
 
 
 def passwords(folder: Path, *users: str) -> Path:
@@ -69,58 +42,46 @@ def secret_file(folder: Path, text: str) -> None:
     file.write_text(text + "\n")
 
 
-def wait_until_online(seen: Subscriber) -> None:
-    eventually(
-        lambda: [one for one in seen.on("sbgc/studio/front/state") if '"online"' in one.text]
-    )
+def login(user: str) -> tuple[str, ...]:
+    return ("-u", user, "-P", f"{user}-secret")
 
 
 def test_the_sample_of_an_acl(tmp_path: Path) -> None:
     users = passwords(tmp_path, "sbgc-gateway", "viewer", "operator")
     secret_file(tmp_path, "sbgc-gateway-secret")
     settings = f"allow_anonymous false\npassword_file {users}\nacl_file {ACL}\n"
-    login = 'user = "sbgc-gateway"\nbroker-password-file = "broker.password"'
-    with running(tmp_path, settings, login.replace("broker-password-file", "password-file")) as (
-        broker,
-        _,
+    own = 'user = "sbgc-gateway"\npassword-file = "broker.password"'
+    viewer, operator = login("viewer"), login("operator")
+    with (
+        running_studio(tmp_path, own, of_broker=settings, user=viewer) as studio,
+        closing(Subscriber(studio.broker.port, "sbgc/#", *operator)) as mine,
     ):
-        viewer = ("-u", "viewer", "-P", "viewer-secret")
-        operator = ("-u", "operator", "-P", "operator-secret")
-        seen = Subscriber(broker.port, "sbgc/#", *viewer)
-        mine = Subscriber(broker.port, "sbgc/#", *operator)
-        try:
-            wait_until_online(seen)
-            by_operator = Commander(broker.port, "studio", *operator)
-            by_viewer = Commander(broker.port, "studio", *viewer)
-            box = "sbgc/studio/reply/operator/1"
-
-            # The broker keeps these from the gateway: `raw`, and whatever the viewer says.
-            by_operator.command(
-                "front", "raw", {"message": "GetAnglesRequest"}, key="raw", reply=box
-            )
-            by_viewer.command("front", "home", key="viewer", reply=box)
-            by_operator.command("front", "home", key="home", reply=box)
-            assert mine.result("home")["key"] == "home"
-            keys = {one["key"] for one in mine.results()}
-            assert keys == {"home"}
-            # Nobody else sees the results, and nobody the commands.
-            assert not seen.results()
-            assert not [one for one in seen.messages + mine.messages if "/cmd/" in one.topic]
-        finally:
-            seen.close()
-            mine.close()
+        by_operator = Commander(studio.broker.port, "studio", *operator)
+        box = "sbgc/studio/reply/operator/1"
+        # The broker keeps these from the gateway: `raw`, and whatever the viewer says.
+        by_operator.command("front", "raw", {"message": "GetAnglesRequest"}, key="raw", reply=box)
+        studio.say.command("front", "home", key="viewer", reply=box)
+        by_operator.command("front", "home", key="home", reply=box)
+        assert mine.result("home")["key"] == "home"
+        assert {one["key"] for one in mine.results()} == {"home"}
+        # Nobody else sees the results, and nobody the commands.
+        assert not studio.seen.results()
+        heard = studio.seen.messages + mine.messages
+        assert not [one for one in heard if "/cmd/" in one.topic]
 
 
 def test_a_wrong_password_is_reported(tmp_path: Path) -> None:
     users = passwords(tmp_path, "sbgc-gateway")
     secret_file(tmp_path, "wrong-secret")
     settings = f"allow_anonymous false\npassword_file {users}\n"
-    login = 'user = "sbgc-gateway"\npassword-file = "broker.password"'
-    with running(tmp_path, settings, login) as (_, gateway):
-        eventually(lambda: "no connection to the broker" in gateway.log.read_text())
-        eventually(lambda: "not authorised" in gateway.log.read_text())
-        assert "wrong-secret" not in gateway.log.read_text()
-        assert gateway.end() == 0
+    own = 'user = "sbgc-gateway"\npassword-file = "broker.password"'
+    user = login("sbgc-gateway")
+    with running_studio(tmp_path, own, of_broker=settings, user=user, waits=False) as studio:
+        log = studio.gateway.log
+        eventually(lambda: "no connection to the broker" in log.read_text())
+        eventually(lambda: "not authorised" in log.read_text())
+        assert "wrong-secret" not in log.read_text()
+        assert studio.gateway.end() == 0
 
 
 def tls(folder: Path) -> str:
@@ -133,89 +94,53 @@ def tls(folder: Path) -> str:
 def test_tls_with_certificates(tmp_path: Path) -> None:
     certificates(tmp_path)
     own = 'ca-file = "ca.crt"\ncertificate-file = "sbgc-gateway.crt"\nkey-file = "sbgc-gateway.key"'
-    with running(tmp_path, tls(tmp_path), own) as (broker, _):
-        words = ("--cafile", "ca.crt", "--cert", "sbgc-gateway.crt", "--key", "sbgc-gateway.key")
-        options = [str(tmp_path / one) if "." in one else one for one in words]
-        seen = Subscriber(broker.port, "sbgc/#", *options)
-        try:
-            wait_until_online(seen)
-            key = Commander(broker.port, "studio", *options).command("front", "home")
-            assert seen.result(key)["status"] in ("done", "failed")
-            # It connects again.
-            broker.kill()
-            seen.close()
-            broker.start()
-            seen = Subscriber(broker.port, "sbgc/#", *options)
-            wait_until_online(seen)
-        finally:
-            seen.close()
+    words = ("--cafile", "ca.crt", "--cert", "sbgc-gateway.crt", "--key", "sbgc-gateway.key")
+    user = tuple(str(tmp_path / one) if "." in one else one for one in words)
+    with running_studio(tmp_path, own, of_broker=tls(tmp_path), user=user) as studio:
+        assert studio.result("home")["status"] in ("done", "failed")
+        # It connects again.
+        studio.broker.kill()
+        studio.broker.start()
+        with closing(Subscriber(studio.broker.port, "sbgc/#", *user)) as seen:
+            seen.wait_for()
 
 
 def test_mqtt_5_has_its_properties(tmp_path: Path) -> None:
-    with running(tmp_path, "allow_anonymous true\n", 'mqtt = "5"') as (broker, gateway):
-        seen = Subscriber(broker.port)
-        box = "sbgc/studio/reply/five"
+    box = "sbgc/studio/reply/five"
+    with running_studio(tmp_path, 'mqtt = "5"') as studio:
+        broker, seen = studio.broker, studio.seen
+        once = f"-V 5 -t {box} -C 1 -F %C|%D|%p".split()
         replies = subprocess.Popen(
-            [
-                *client("mosquitto_sub", broker.port),
-                "-V",
-                "5",
-                "-t",
-                box,
-                "-C",
-                "1",
-                "-F",
-                "%C|%D|%p",
-            ],
-            stdout=subprocess.PIPE,
-            text=True,
+            [*client("mosquitto_sub", broker.port), *once], stdout=subprocess.PIPE, text=True
         )
         try:
-            wait_until_online(seen)
             eventually(lambda: f"{box} (QoS 1)" in broker.log.read_text())
-            properties = [
-                "-D",
-                "publish",
-                "response-topic",
-                box,
-                "-D",
-                "publish",
-                "correlation-data",
-                "c9",
-            ]
+            said = f"-D publish response-topic {box} -D publish correlation-data c9".split()
             say = Commander(broker.port, "studio", "-V", "5")
             payload = say.payload(reply=None)
-            say.publish("sbgc/studio/front/cmd/home", json.dumps(payload), *properties)
+            say.publish("sbgc/studio/front/cmd/home", json.dumps(payload), *said)
             out, _ = replies.communicate(timeout=60)
-            kind, data, text = out.strip().split("|", 2)
-            assert kind == "application/json" and data == "c9"
-            result = json.loads(text)
-            assert result["key"] == payload["key"] and result["correlation"] == "c9"
-            # Also instead of the members: the key, and the deadline.
-            bare = say.payload(key=None, deadline=None)
-            said = "-D publish user-property key k5 -D publish message-expiry-interval 20".split()
-            say.publish("sbgc/studio/front/cmd/home", json.dumps(bare), *said)
-            assert seen.result("k5")["status"] in ("done", "failed")
-            # The session lasts over the end of the gateway.
-            assert gateway.end() == 0
-            key = say.command("front", "raw", {"message": "GetAnglesRequest"})
-            gateway.restart()
-            assert seen.result(key)["status"] in ("done", "failed")
         finally:
             replies.kill()
-            seen.close()
+        kind, data, text = out.strip().split("|", 2)
+        assert kind == "application/json" and data == "c9"
+        result = json.loads(text)
+        assert result["key"] == payload["key"] and result["correlation"] == "c9"
+        # Also instead of the members: the key, and the deadline.
+        bare = say.payload(key=None, deadline=None)
+        said = "-D publish user-property key k5 -D publish message-expiry-interval 20".split()
+        say.publish("sbgc/studio/front/cmd/home", json.dumps(bare), *said)
+        assert seen.result("k5")["status"] in ("done", "failed")
+        # The session lasts over the end of the gateway.
+        assert studio.gateway.end() == 0
+        key = say.command("front", "raw", {"message": "GetAnglesRequest"})
+        studio.gateway.restart()
+        assert seen.result(key)["status"] in ("done", "failed")
 
 
 def listener(port: int, authority: Path, name: str, more: str = "", host: str = "127.0.0.1") -> str:
     files = f"certfile {authority}/{name}.crt\nkeyfile {authority}/{name}.key\n"
     return f"listener {port} {host}\ncafile {authority}/ca.crt\n{files}{more}"
-
-
-def fleet_of(addresses: list[str], more: str) -> str:
-    return (
-        f'[fleet]\nname = "studio"\n[broker]\naddress = {addresses}\njournal = "fleet.db"\n{more}\n'
-        '[gimbal.front]\nport = "tcp:127.0.0.1:1"\n'
-    )
 
 
 def says(gateway: Gateway, *words: str) -> bool:
@@ -244,7 +169,8 @@ def test_each_failure_has_its_sentence(tmp_path: Path) -> None:
         def run(name: str, ports: list[int | str], more: str) -> Gateway:
             (tmp_path / name).mkdir()
             addresses = [one if isinstance(one, str) else f"127.0.0.1:{one}" for one in ports]
-            return stack.enter_context(running_gateway(tmp_path / name, fleet_of(addresses, more)))
+            text = fleet_of(str(addresses), gimbal_of("tcp:127.0.0.1:1"), settings=more)
+            return stack.enter_context(running_gateway(tmp_path / name, text))
 
         ca = f'ca-file = "{ours}/ca.crt"\n'
         places: list[int | str] = [expired, f"127.0.0.2:{other}", unknown, broker.port, strict]

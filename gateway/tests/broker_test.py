@@ -4,54 +4,28 @@ from __future__ import annotations
 
 import functools
 import json
-import signal
 from collections.abc import Iterator
-from dataclasses import dataclass
+from contextlib import closing
 from pathlib import Path
 from typing import Any
 
 import jsonschema
 import pytest
 
-from brokers import Commander, Mosquitto, Subscriber, now, suspended
+from brokers import Subscriber, now, suspended
 from emulated_gimbal import EmulatedGimbal, emulated_gimbal
-from gateway import Gateway, eventually, running_gateway
+from gateway import eventually
 from sbgc_command import run
+from studio import Studio, gimbal_of, running_studio
 
-FLEET = """[fleet]
-name = "studio"
-[broker]
-address = "127.0.0.1:{port}"
-journal = "fleet.db"
-{broker}
-[gimbal.front]
-port = "{front}"
-allow = ["stop", "move", "speed", "motors", "home", "menu", "get", "set", "raw"]
-raw-effects = ["sets"]
-telemetry = ["RealtimeData4 50"]
-units = "yes"
-[gimbal.rear]
-port = "{rear}"
-"""
+ALLOWED = "stop move speed motors home menu get set raw"
+MORE = 'raw-effects = ["sets"]\ntelemetry = ["RealtimeData4 50"]\nunits = "yes"\n'
 
 
-@dataclass
-class Studio:
-    """A broker, a gateway with two gimbals, and somebody who talks to them."""
-
-    broker: Mosquitto
-    gateway: Gateway
-    front: EmulatedGimbal
-    seen: Subscriber
-    say: Commander
-
-    def result(self, task: str, parameters: Any = None, **members: Any) -> Any:
-        return self.seen.result(self.say.command("front", task, parameters, **members))
-
-    def refusal(self, *arguments: Any, **members: Any) -> str:
-        result = self.result(*arguments, **members)
-        assert result["status"] == "refused", result
-        return str(result["error"]["code"])
+def refusal(studio: Studio, *arguments: Any, **members: Any) -> str:
+    result = studio.result(*arguments, **members)
+    assert result["status"] == "refused", result
+    return str(result["error"]["code"])
 
 
 def speed_of(gimbal: EmulatedGimbal) -> float:
@@ -60,36 +34,18 @@ def speed_of(gimbal: EmulatedGimbal) -> float:
     return abs(float(state["fields"]["axes"]["pitch"]["rc_speed"]))
 
 
-def wait_for_gimbal(seen: Subscriber, gimbal: str = "front", state: str = "online") -> None:
-    topic = f"sbgc/studio/{gimbal}/state"
-    eventually(lambda: any(one.json["state"] == state for one in seen.on(topic)))
-
-
 @pytest.fixture(scope="module", name="studio")
 def studio_(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Studio]:
     folder = tmp_path_factory.mktemp("studio")
-    broker = Mosquitto(folder / "broker")
-    broker.start()
-    seen = Subscriber(broker.port)
-    with emulated_gimbal("--verbose") as front, emulated_gimbal() as rear:
-        text = FLEET.format(
-            port=broker.port,
-            front=front.address,
-            rear=rear.address,
-            broker="stop-after = 1\n",
-        )
-        text += '[metrics]\nlisten = "LISTEN"\n'
-        with running_gateway(folder, text) as gateway:
-            wait_for_gimbal(seen)
-            wait_for_gimbal(seen, "rear")
-            studio = Studio(broker, gateway, front, seen, Commander(broker.port))
+    with emulated_gimbal() as rear:
+        more = MORE + gimbal_of(rear.address, name="rear") + '[metrics]\nlisten = "LISTEN"\n'
+        with running_studio(folder, "stop-after = 1\n", allow=ALLOWED, more=more) as studio:
+            studio.seen.wait_for("rear")
             assert studio.result("motors", {"on": True})["status"] == "done"
             yield studio
-            assert gateway.end() == 0, gateway.log.read_text()
-    topic = "sbgc/studio/gateway/state"
-    eventually(lambda: '"offline"' in seen.on(topic)[-1].text)
-    seen.close()
-    broker.kill()
+            assert studio.gateway.end() == 0, studio.gateway.log.read_text()
+            topic = "sbgc/studio/gateway/state"
+            eventually(lambda: '"offline"' in studio.seen.on(topic)[-1].text)
 
 
 @functools.cache
@@ -141,27 +97,19 @@ def test_what_is_published_fits_the_schema(studio: Studio) -> None:
         ("home", None),
     ]:
         check(f"command.{task}", studio.say.payload(parameters))
-    for task, parameters in [
-        ("move", {"angles": {"pan": 3}}),
-        ("speed", None),
-        ("raw", {}),
-    ]:
+    for task, parameters in [("move", {"angles": {"pan": 3}}), ("speed", None), ("raw", {})]:
         with pytest.raises(jsonschema.ValidationError):
             check(f"command.{task}", studio.say.payload(parameters))
 
 
 def test_states_are_retained(studio: Studio) -> None:
-    late = Subscriber(studio.broker.port, ["sbgc/studio/+/state"])
-    try:
+    with closing(Subscriber(studio.broker.port, ["sbgc/studio/+/state"])) as late:
         eventually(lambda: len(late.messages) == 3)
         states = {one.topic.split("/")[2]: one for one in late.messages}
         assert all(one.is_retained for one in late.messages)
-        assert (
-            states["front"].json["state"] == "online" and states["front"].json["firmware"] == "2.59"
-        )
+        front = states["front"].json
+        assert front["state"] == "online" and front["firmware"] == "2.59"
         assert states["gateway"].json["state"] == "online"
-    finally:
-        late.close()
 
 
 def test_move(studio: Studio) -> None:
@@ -184,22 +132,22 @@ def test_parameters(studio: Studio) -> None:
 
 def test_commands_are_refused(studio: Studio) -> None:
     angles = {"angles": {"pitch": 1}}
-    assert studio.refusal("calibrate", {"calibration": "gyro"}) == "not_allowed"
-    assert studio.refusal("fly") == "not_allowed"
-    assert studio.refusal("raw", {"message": "ResetRequest"}) == "not_allowed"
-    assert studio.refusal("raw", {"message": "MotorsOn"}) == "not_allowed"
-    assert studio.refusal("move", {"angles": {"pitch": 9000}}) == "invalid"
-    assert studio.refusal("move", {"angle": {"pitch": 1}}) == "invalid"
-    assert studio.refusal("menu", {"action": "dance"}) == "invalid"
-    assert studio.refusal("menu", {"action": "calib_gyro"}) == "invalid", "it is calibrate"
-    assert studio.refusal("raw", {"message": "GetAngles"}) == "invalid"
-    assert studio.refusal("move", angles, deadline=None) == "invalid"
-    assert studio.refusal("move", angles, sent=None) == "invalid"
-    assert studio.refusal("move", angles, sent=now() - 600_000) == "queued"
-    assert studio.refusal("move", angles, sent=now() + 600_000) == "sent_in_future"
-    assert studio.refusal("move", angles, deadline=now() - 60_000) == "expired"
-    assert studio.refusal("move", angles, deadline=now() + 600_000) == "deadline_too_far"
-    assert studio.refusal("move", angles, version=2) == "version"
+    assert refusal(studio, "calibrate", {"calibration": "gyro"}) == "not_allowed"
+    assert refusal(studio, "fly") == "not_allowed"
+    assert refusal(studio, "raw", {"message": "ResetRequest"}) == "not_allowed"
+    assert refusal(studio, "raw", {"message": "MotorsOn"}) == "not_allowed"
+    assert refusal(studio, "move", {"angles": {"pitch": 9000}}) == "invalid"
+    assert refusal(studio, "move", {"angle": {"pitch": 1}}) == "invalid"
+    assert refusal(studio, "menu", {"action": "dance"}) == "invalid"
+    assert refusal(studio, "menu", {"action": "calib_gyro"}) == "invalid", "it is calibrate"
+    assert refusal(studio, "raw", {"message": "GetAngles"}) == "invalid"
+    assert refusal(studio, "move", angles, deadline=None) == "invalid"
+    assert refusal(studio, "move", angles, sent=None) == "invalid"
+    assert refusal(studio, "move", angles, sent=now() - 600_000) == "queued"
+    assert refusal(studio, "move", angles, sent=now() + 600_000) == "sent_in_future"
+    assert refusal(studio, "move", angles, deadline=now() - 60_000) == "expired"
+    assert refusal(studio, "move", angles, deadline=now() + 600_000) == "deadline_too_far"
+    assert refusal(studio, "move", angles, version=2) == "version"
     key = studio.say.command("rear", "stop")
     assert studio.seen.result(key)["error"]["code"] == "not_allowed"
     key = studio.say.command("roof", "stop")
@@ -248,22 +196,11 @@ def test_a_speed_has_a_dead_man(studio: Studio) -> None:
     assert speed_of(studio.front) == 0
 
 
-def test_stop_goes_first(studio: Studio) -> None:
-    far = {"angles": {"pitch": -60}, "speed": 2, "timeout": 60}
-    moving = studio.say.command("front", "move", far)
-    waiting = studio.say.command("front", "move", {"angles": {"pitch": 0}})
-    eventually(lambda: speed_of(studio.front) > 0)
-    assert studio.result("stop")["status"] == "done"
-    assert studio.seen.result(moving)["error"]["code"] == "cancelled"
-    assert studio.seen.result(waiting)["error"]["code"] == "superseded"
-    assert speed_of(studio.front) == 0
-
-
 def test_without_the_broker_a_gimbal_stops_and_results_wait(studio: Studio) -> None:
     far = {"angles": {"pitch": -80}, "speed": 2, "timeout": 60}
     key = studio.say.command("front", "move", far)
     eventually(lambda: speed_of(studio.front) > 0)
-    with suspended(studio.broker):
+    with suspended(studio.broker.process):
         eventually(lambda: speed_of(studio.front) == 0)
     result = studio.seen.result(key)
     assert result["error"]["code"] == "cancelled", result
@@ -277,7 +214,7 @@ def test_telemetry_is_thinned_for_a_slow_broker(studio: Studio) -> None:
         return studio.gateway.metrics()["sbgc_broker_thinned_samples_total"]
 
     before = thinned()
-    with suspended(studio.broker):
+    with suspended(studio.broker.process):
         eventually(lambda: thinned() > before, 90)
     assert studio.result("raw", {"message": "GetAnglesRequest"})["status"] == "done"
     topic = "sbgc/studio/gateway/heartbeat"
@@ -288,17 +225,12 @@ def test_what_waited_at_the_broker_does_not_move_the_camera(studio: Studio) -> N
     studio.gateway.end()
     moves = studio.say.command("front", "move", {"angles": {"pitch": 20}})
     reads = studio.say.command("front", "raw", {"message": "GetAnglesRequest"})
-    studio.say.publish(
-        "sbgc/studio/front/cmd/home",
-        json.dumps(studio.say.payload(key="retained")),
-        "-r",
-    )
+    retained = json.dumps(studio.say.payload(key="retained"))
+    studio.say.publish("sbgc/studio/front/cmd/home", retained, "-r")
     studio.gateway.restart()
     assert studio.seen.result(moves)["error"]["code"] == "queued"
-    assert studio.seen.result(reads)["status"] in (
-        "done",
-        "failed",
-    )  # the gimbal may not be there yet
+    # The gimbal may not be there yet.
+    assert studio.seen.result(reads)["status"] in ("done", "failed")
     # Once as a message that waited, and once as a retained one.
     eventually(lambda: "retained" in codes(studio))
     studio.say.remove_retained("sbgc/studio/front/cmd/home")
@@ -306,50 +238,34 @@ def test_what_waited_at_the_broker_does_not_move_the_camera(studio: Studio) -> N
 
 
 def test_a_gimbal_that_hangs_does_not_delay_another(tmp_path: Path) -> None:
-    broker = Mosquitto(tmp_path / "broker")
-    broker.start()
-    seen = Subscriber(broker.port)
-    with emulated_gimbal() as front, emulated_gimbal() as rear:
-        text = FLEET.format(port=broker.port, front=front.address, rear=rear.address, broker="")
-        text += 'allow = ["raw"]\nattempt-time = "60s"\n'
-        with running_gateway(tmp_path, text):
-            wait_for_gimbal(seen)
-            wait_for_gimbal(seen, "rear")
-            rear.process.send_signal(signal.SIGSTOP)
-            say = Commander(broker.port)
+    with emulated_gimbal() as rear:
+        more = gimbal_of(rear.address, "raw", 'attempt-time = "60s"', name="rear")
+        with running_studio(tmp_path, more=more) as studio:
+            seen, say = studio.seen, studio.say
+            seen.wait_for("rear")
             asks = {"message": "GetAnglesRequest"}
-            slow = [say.command("rear", "raw", asks) for _ in range(5)]
-            quick = [say.command("front", "raw", asks) for _ in range(20)]
-            for key in quick:
-                assert seen.result(key)["status"] == "done"
-            assert all(one["gimbal"] == "front" for one in seen.results()[:20])
-            rear.process.send_signal(signal.SIGCONT)
+            with suspended(rear.process):
+                slow = [say.command("rear", "raw", asks) for _ in range(5)]
+                quick = [say.command("front", "raw", asks) for _ in range(20)]
+                for key in quick:
+                    assert seen.result(key)["status"] == "done"
+                assert all(one["gimbal"] == "front" for one in seen.results()[:20])
             for key in slow:
                 assert seen.result(key)["status"] in ("done", "failed", "refused")
-    seen.close()
-    broker.kill()
 
 
 def test_results_wait_while_the_broker_is_away(tmp_path: Path) -> None:
-    broker = Mosquitto(tmp_path / "broker")
-    broker.start()
-    seen = Subscriber(broker.port)
-    with emulated_gimbal() as front, emulated_gimbal() as rear:
-        text = FLEET.format(port=broker.port, front=front.address, rear=rear.address, broker="")
-        with running_gateway(tmp_path, text) as gateway:
-            wait_for_gimbal(seen)
-            say = Commander(broker.port)
-            seen.close()
-            # The result comes when the broker is gone: the camera needs seconds.
-            key = say.command("front", "move", {"angles": {"pitch": -30}, "speed": 3})
-            eventually(lambda: speed_of(front) > 0)
-            broker.kill()
-            eventually(lambda: speed_of(front) == 0)
-            # Also over the end of the gateway.
-            gateway.end()
-            broker.start()
-            seen = Subscriber(broker.port)
-            gateway.restart()
+    with running_studio(tmp_path) as studio:
+        broker, front = studio.broker, studio.front
+        studio.seen.close()
+        # The result comes when the broker is gone: the camera needs seconds.
+        key = studio.say.command("front", "move", {"angles": {"pitch": -30}, "speed": 3})
+        eventually(lambda: speed_of(front) > 0)
+        broker.kill()
+        eventually(lambda: speed_of(front) == 0)
+        # Also over the end of the gateway.
+        studio.gateway.end()
+        broker.start()
+        with closing(Subscriber(broker.port)) as seen:
+            studio.gateway.restart()
             assert seen.result(key)["error"]["code"] == "cancelled"
-    seen.close()
-    broker.kill()

@@ -10,6 +10,8 @@ import socket
 import subprocess
 import threading
 import time
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Optional
@@ -150,6 +152,10 @@ class Subscriber:
         found = [one.json for one in list(self.messages) if one.topic.endswith(f"/{gimbal}/event")]
         return [one for one in found if one["event"] == kind]
 
+    def wait_for(self, gimbal: str = "front", state: str = "online") -> None:
+        topic = f"sbgc/studio/{gimbal}/state"
+        eventually(lambda: any(one.json["state"] == state for one in self.on(topic)))
+
     def close(self) -> None:
         self.process.kill()
         self.process.wait()
@@ -222,17 +228,14 @@ class Commander:
         return str(payload.get("key"))
 
 
-def suspended(server: Server) -> Any:
-    """A broker that neither answers nor closes its connections, within a `with`."""
-
-    class Suspension:
-        def __enter__(self) -> None:
-            server.signal(signal.SIGSTOP)
-
-        def __exit__(self, *_: Any) -> None:
-            server.signal(signal.SIGCONT)
-
-    return Suspension()
+@contextmanager
+def suspended(process: subprocess.Popen[Any]) -> Iterator[None]:
+    """It neither answers nor closes its connections."""
+    process.send_signal(signal.SIGSTOP)
+    try:
+        yield
+    finally:
+        process.send_signal(signal.SIGCONT)
 
 
 def openssl(folder: Path, *arguments: str) -> None:

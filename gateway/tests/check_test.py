@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 from brokers import certificates
 from gateway import Gateway, eventually
-from sbgc_command import PROGRAM, run
+from sbgc_command import PROGRAM, Result, run
 
 VALUES: dict[str, dict[str, str]] = {
     "fleet": {"name": '"studio"'},
@@ -68,12 +68,16 @@ def the_folder(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
     yield folder
 
 
+def check(file: Path) -> Result:
+    return run("gateway", "--config", str(file), "--check")
+
+
 def checked(folder: Path, text: str) -> str:
     """The error of --check, which creates nothing; "" if there is none."""
     file = folder / "fleet.toml"
     file.write_bytes(text.encode(errors="surrogateescape"))
     before = sorted(folder.iterdir())
-    result = run("gateway", "--config", str(file), "--check")
+    result = check(file)
     assert sorted(folder.iterdir()) == before
     if result.status == 0:
         return ""
@@ -162,3 +166,89 @@ def test_a_file_that_this_user_may_not_read() -> None:
         )
     name = subprocess.run(["id", "-un"], stdout=-1, text=True, check=True, user=user).stdout.strip()
     assert f"{secret} as the user {name}: Permission denied" in " ".join(done.stderr.split())
+
+
+FLEET = """[fleet]
+name = "studio"
+[metrics]
+[gimbal.front]
+port = "tcp:127.0.0.1:1"
+"""
+SAMPLE = Path(__file__).parents[1] / "deploy/fleet.toml"
+
+
+def test_the_sample_is_a_fleet(tmp_path: Path) -> None:
+    file = tmp_path / "fleet.toml"
+    file.write_text(SAMPLE.read_text().replace("/var/lib/sbgc-gateway", str(tmp_path)))
+    result = check(file)
+    assert result.status == 0 and "studio: 2 gimbals" in result.error
+
+
+@pytest.mark.parametrize(
+    "text, place, reason",
+    [
+        ("", "1:1", "[fleet] with its name"),
+        ('[fleet]\nname = "Studio"\n', "2:8", "'Studio' cannot be a part of a topic"),
+        (
+            '[fleet]\nname = "a"\n[metrics]\n',
+            "1:1",
+            "a section [gimbal.NAME] with a port is missing",
+        ),
+        (FLEET.replace("[metrics]\n", ""), "1:1", "[metrics] or [broker]"),
+        ('[gimbal."a/b"]\n', "6:1", "'a/b' cannot be a part of a topic"),
+        ("[gimbal.reply]\n", "6:1", "'reply' has another meaning"),
+        ("[gimbal.front]\n", "6:1", "cannot redefine existing table 'gimbal.front'"),
+        ("[gimbals.back]\n", "6:1", "did you mean 'gimbal'?"),
+        ('prot = "x"\n', "6:1", "unknown key 'prot' of [gimbal.front]; did you mean 'port'?"),
+        ('allow = ["mov"]\n', "6:10", "no task 'mov'; did you mean 'move'?"),
+        ('raw-effects = ["reads",\n  "explodes"]\n', "7:3", "no effect 'explodes'"),
+        ('units = "V"\n', "6:9", '\'units\' must be "yes" or "no"'),
+        ('telemetry = ["RealtimeData4"]\n', "6:14", "is not a message and its rate"),
+        ('telemetry = "RealtimeDat4 1"\n', "6:13", "did you mean 'RealtimeData4'"),
+        ('telemetry = "RealtimeDataCustom 1"\n', "6:13", "say what RealtimeDataCustom contains"),
+        (
+            'telemetry = ["RealtimeData4 1", "REALTIME_DATA_4 2"]\n',
+            "6:33",
+            "RealtimeData4 is there twice",
+        ),
+        ('password-file = "-"\n', "6:17", "nobody to ask"),
+        ("[broker]\n", "6:1", "[broker] has no address"),
+        ('[broker]\naddress = "a:b"\n', "7:11", "'a:b' is not an address"),
+        ('[broker]\naddress = "a"\nmqtt = "4"\n', "8:8", 'must be "3.1.1" or "5"'),
+        ('[broker]\naddress = "a"\nkeep-alive = "100000s"\n', "8:14", "at most 65535 s"),
+        ('[broker]\naddress = "a"\nstop-after = "100h"\n', "8:14", "at most 60 s"),
+        ('[broker]\naddress = "a"\nclock-skew = "2m"\n', "8:14", "at most 60 s"),
+        ('[broker]\naddress = "a"\nlongest-deadline = "25h"\n', "8:20", "at most 86400 s"),
+        ('[broker]\naddress = "a"\nkey-file = "k"\n', "8:12", "belong together"),
+        (FLEET.replace("[metrics]", '[metrics]\nlisten = "9110"'), "4:10", "and a port"),
+        ('allow = ["move\n', "6:15", "Error while parsing string"),
+        ("allow = [move]\n", "6:10", "texts need quotes"),
+        ('allow = ["move" "stop"]\n', "6:17", "expected comma or closing ']'"),
+        ("attempts = 3 4\n", "6:14", "expected a comment or whitespace"),
+        ('port = "y"\n', "6:8", "cannot redefine existing string 'port'"),
+    ],
+)
+def test_mistakes(tmp_path: Path, text: str, place: str, reason: str) -> None:
+    file = tmp_path / "fleet.toml"
+    is_whole = not text or text.startswith("[fleet]")
+    file.write_text(text if is_whole else FLEET + text)
+    result = check(file)
+    assert result.status == 1 and f"{file}:{place}: " in result.error
+    assert reason in " ".join(result.error.split())
+
+
+def test_names_and_values_of_toml(tmp_path: Path) -> None:
+    file = tmp_path / "fleet.toml"
+    file.write_text(
+        "fleet.name = 'a' # the first letter\r\n\r\n[metrics]\r\n"
+        '[ gimbal . "b" ]\n"port" = "t\\u0063p:127.0.0.1:1"\nallow = [ # two\n  "move",\n  \'stop\',\n]\n'
+    )
+    result = check(file)
+    assert result.status == 0 and "a: 1 gimbal" in result.error
+
+
+def test_files_count_from_the_configuration(tmp_path: Path) -> None:
+    file = tmp_path / "fleet.toml"
+    file.write_text(FLEET + 'password-file = "front.password"\n')
+    result = check(file)
+    assert result.status == 1 and f"{tmp_path}/front.password" in result.error

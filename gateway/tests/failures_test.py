@@ -1,57 +1,44 @@
-"""Tests of `sbgc gateway` when a disk is full, and when a broker refuses messages."""
+"""Tests of `sbgc gateway` when a disk is full, when a broker refuses messages, and beside another gateway."""
 
 from __future__ import annotations
 
 import resource
 import signal
 import sqlite3
-from collections.abc import Iterator
-from contextlib import closing, contextmanager
+from contextlib import AbstractContextManager, closing
 from pathlib import Path
 
 import pytest
 
 from broker_test import speed_of
-from brokers import Commander, Mosquitto, Subscriber
+from brokers import Commander, Mosquitto, Subscriber, suspended
 from emulated_gimbal import EmulatedGimbal, emulated_gimbal
 from gateway import Gateway, eventually, running_gateway
+from studio import Studio, fleet_of, gimbal_of, running_broker, running_studio
 
-HEAD = """[fleet]
-name = "studio"
-[broker]
-address = "127.0.0.1:{port}"
-journal = "fleet.db"
-{broker}
-"""
-GIMBAL = """[gimbal.{name}]
-port = "{address}"
-allow = ["move", "motors", "get", "set", "home"]
-{more}
-"""
-# Mosquitto takes the name of a user without a password.
-EVERYTHING = "user tester\ntopic readwrite sbgc/#\nuser gateway\n"
+LISTENS = '[metrics]\nlisten = "LISTEN"\n'
+PITCH = {"names": ["pitch.p"]}
 
 
-@contextmanager
-def broker_with_acl(folder: Path, acl: str, more: str = "") -> Iterator[Mosquitto]:
-    (folder / "acl").write_text(EVERYTHING + acl)
+def studio_with_acl(
+    folder: Path,
+    settings: str = "",
+    *,
+    acl: str = "topic readwrite sbgc/#\n",
+    of_broker: str = "",
+    more: str = "",
+) -> AbstractContextManager[Studio]:
+    # Mosquitto takes the name of a user without a password.
+    (folder / "acl").write_text("user tester\ntopic readwrite sbgc/#\nuser gateway\n" + acl)
     (folder / "acl").chmod(0o600)
-    broker = Mosquitto(folder / "broker", f"allow_anonymous true\nacl_file {folder}/acl\n{more}")
-    broker.start()
-    try:
-        yield broker
-    finally:
-        broker.kill()
-
-
-def text(broker: Mosquitto, gimbal: EmulatedGimbal, settings: str = "") -> str:
-    head = HEAD.format(port=broker.port, broker=settings)
-    return head + GIMBAL.format(name="front", address=gimbal.address, more="")
-
-
-def wait_until_online(seen: Subscriber) -> None:
-    topic = "sbgc/studio/front/state"
-    eventually(lambda: any('"online"' in one.text for one in seen.on(topic)))
+    settings_of_broker = f"allow_anonymous true\nacl_file {folder}/acl\n{of_broker}"
+    return running_studio(
+        folder,
+        f'user = "gateway"\n{settings}',
+        of_broker=settings_of_broker,
+        user=("-u", "tester"),
+        more=more,
+    )
 
 
 def fill_disk(gateway: Gateway, folder: Path) -> None:
@@ -65,121 +52,81 @@ def test_metrics_go_on_when_the_disk_is_full(
 ) -> None:
     # The limit of a file would otherwise end the process.
     monkeypatch.setattr("gateway.Gateway.keeps_signals", True)
-    with broker_with_acl(tmp_path, "topic readwrite sbgc/#\n") as broker:
-        seen = Subscriber(broker.port, "sbgc/#", "-u", "tester")
-        say = Commander(broker.port, "studio", "-u", "tester")
-        with emulated_gimbal() as front:
-            fleet = text(broker, front, 'user = "gateway"') + '[metrics]\nlisten = "LISTEN"\n'
-            with running_gateway(tmp_path, fleet) as gateway:
-                wait_until_online(seen)
-                assert seen.result(say.command("front", "motors", {"on": True}))["status"] == "done"
-                assert gateway.metric("sbgc_broker_failed") == 0
-                far = {"angles": {"pitch": -80}, "speed": 2, "timeout": 100}
-                say.command("front", "move", far)
-                eventually(lambda: speed_of(front) > 0)
-                fill_disk(gateway, tmp_path)
-                say.command("front", "get", {"names": ["pitch.p"]})
-                eventually(lambda: gateway.metric("sbgc_broker_failed") == 1)
-                assert gateway.metric("sbgc_broker_up") == 0 and gateway.is_up("front")
-                eventually(lambda: speed_of(front) == 0)
-                # The last will.
-                states = "sbgc/studio/gateway/state"
-                eventually(lambda: '"offline"' in seen.on(states)[-1].text)
-                assert "nothing goes to the broker" in gateway.log.read_text()
-                assert gateway.process.poll() is None
-                assert gateway.end() == 1
-        seen.close()
+    with studio_with_acl(tmp_path, more=LISTENS) as studio:
+        gateway, front, seen = studio.gateway, studio.front, studio.seen
+        assert studio.result("motors", {"on": True})["status"] == "done"
+        assert gateway.metric("sbgc_broker_failed") == 0
+        studio.say.command("front", "move", {"angles": {"pitch": -80}, "speed": 2, "timeout": 100})
+        eventually(lambda: speed_of(front) > 0)
+        fill_disk(gateway, tmp_path)
+        studio.say.command("front", "get", PITCH)
+        eventually(lambda: gateway.metric("sbgc_broker_failed") == 1)
+        assert gateway.metric("sbgc_broker_up") == 0 and gateway.is_up("front")
+        eventually(lambda: speed_of(front) == 0)
+        # The last will.
+        states = "sbgc/studio/gateway/state"
+        eventually(lambda: '"offline"' in seen.on(states)[-1].text)
+        assert "nothing goes to the broker" in gateway.log.read_text()
+        assert gateway.process.poll() is None
+        assert gateway.end() == 1
 
 
 def test_without_metrics_it_ends_when_the_disk_is_full(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("gateway.Gateway.keeps_signals", True)
-    with broker_with_acl(
-        tmp_path, "topic readwrite sbgc/#\n"
-    ) as broker, emulated_gimbal() as front:
-        seen = Subscriber(broker.port, "sbgc/#", "-u", "tester")
-        with running_gateway(tmp_path, text(broker, front, 'user = "gateway"')) as gateway:
-            wait_until_online(seen)
-            fill_disk(gateway, tmp_path)
-            say = Commander(broker.port, "studio", "-u", "tester")
-            say.command("front", "get", {"names": ["pitch.p"]})
-            assert gateway.process.wait(timeout=60) == 1
-        seen.close()
+    with studio_with_acl(tmp_path) as studio:
+        fill_disk(studio.gateway, tmp_path)
+        studio.say.command("front", "get", PITCH)
+        assert studio.gateway.process.wait(timeout=60) == 1
 
 
 def test_a_result_that_the_broker_refuses_is_kept(tmp_path: Path) -> None:
-    without_replies = "topic readwrite sbgc/studio/gateway/#\ntopic readwrite sbgc/studio/front/#\n"
-    with broker_with_acl(tmp_path, without_replies) as broker, emulated_gimbal() as front:
-        seen = Subscriber(broker.port, "sbgc/#", "-u", "tester")
-        say = Commander(broker.port, "studio", "-u", "tester")
-        with running_gateway(
-            tmp_path, text(broker, front, 'user = "gateway"\nmqtt = "5"')
-        ) as gateway:
-            wait_until_online(seen)
-            key = say.command("front", "get", {"names": ["pitch.p"]})
-            said = "the broker refuses messages to sbgc/studio/reply/test: Not authorized"
-            eventually(lambda: said in gateway.log.read_text())
-            assert not seen.results()
-            second = say.command("front", "get", {"names": ["pitch.i"]})
-            with (tmp_path / "acl").open("a") as acl:
-                acl.write("topic write sbgc/studio/reply/#\n")
-            broker.signal(signal.SIGHUP)
-            assert seen.result(key)["status"] == "done"
-            assert seen.result(second)["status"] == "done"
-            assert gateway.log.read_text().count("refuses messages") == 1
-        seen.close()
+    acl = "topic readwrite sbgc/studio/gateway/#\ntopic readwrite sbgc/studio/front/#\n"
+    with studio_with_acl(tmp_path, 'mqtt = "5"', acl=acl) as studio:
+        log = studio.gateway.log
+        keys = [studio.say.command("front", "get", PITCH)]
+        said = "the broker refuses messages to sbgc/studio/reply/test: Not authorized"
+        eventually(lambda: said in log.read_text())
+        assert not studio.seen.results()
+        keys.append(studio.say.command("front", "get", {"names": ["pitch.i"]}))
+        with (tmp_path / "acl").open("a") as file:
+            file.write("topic write sbgc/studio/reply/#\n")
+        studio.broker.signal(signal.SIGHUP)
+        for key in keys:
+            assert studio.seen.result(key)["status"] == "done"
+        assert log.read_text().count("refuses messages") == 1
 
 
 def test_a_result_that_is_too_large_is_shortened(tmp_path: Path) -> None:
-    with broker_with_acl(
-        tmp_path, "topic readwrite sbgc/#\n", "max_packet_size 2000\n"
-    ) as broker, emulated_gimbal() as front:
-        seen = Subscriber(broker.port, "sbgc/#", "-u", "tester")
-        say = Commander(broker.port, "studio", "-u", "tester")
-        with running_gateway(tmp_path, text(broker, front, 'user = "gateway"\nmqtt = "5"')):
-            wait_until_online(seen)
-            names = [f"{axis}.{name}" for axis in ("roll", "pitch", "yaw") for name in "pid"]
-            key = say.command("front", "get", {"names": names * 8})
-            result = seen.result(key)
-            assert result["status"] == "done" and result["shortened"] is True, result
-            assert "result" not in result
-        seen.close()
+    with studio_with_acl(tmp_path, 'mqtt = "5"', of_broker="max_packet_size 2000\n") as studio:
+        names = [f"{axis}.{name}" for axis in ("roll", "pitch", "yaw") for name in "pid"]
+        result = studio.result("get", {"names": names * 8})
+        assert result["status"] == "done" and result["shortened"] is True, result
+        assert "result" not in result
 
 
 def test_a_fence_that_does_not_come_back_is_reported(tmp_path: Path) -> None:
-    acl = "topic deny sbgc/studio/gateway/cmd/fence\ntopic readwrite sbgc/#\n"
-    with broker_with_acl(tmp_path, acl) as broker, emulated_gimbal() as front:
-        seen = Subscriber(broker.port, "sbgc/#", "-u", "tester")
-        say = Commander(broker.port, "studio", "-u", "tester")
-        with running_gateway(tmp_path, text(broker, front, 'user = "gateway"')) as gateway:
-            wait_until_online(seen)
-            topic = "sbgc/studio/gateway/cmd/fence"
-            error = seen.result(say.command("front", "home"))["error"]
-            assert (
-                error["code"] == "queued"
-                and f"not yet returned a message to {topic}" in error["message"]
-            )
-            eventually(
-                lambda: f"not returned a message to {topic}"
-                in " ".join(gateway.log.read_text().split())
-            )
-        seen.close()
+    topic = "sbgc/studio/gateway/cmd/fence"
+    acl = f"topic deny {topic}\ntopic readwrite sbgc/#\n"
+    with studio_with_acl(tmp_path, acl=acl) as studio:
+        error = studio.result("home")["error"]
+        assert error["code"] == "queued"
+        assert f"not yet returned a message to {topic}" in error["message"]
+        said = f"not returned a message to {topic}"
+        eventually(lambda: said in " ".join(studio.gateway.log.read_text().split()))
 
 
 def test_a_journal_that_is_gone_or_damaged(tmp_path: Path) -> None:
-    with broker_with_acl(tmp_path, "topic readwrite sbgc/#\n") as broker:
-        fleet = HEAD.format(port=broker.port, broker='user = "gateway"')
-        fleet += GIMBAL.format(name="front", address="tcp:127.0.0.1:1", more="")
+    with running_broker(tmp_path) as broker:
+        fleet = fleet_of(f'"127.0.0.1:{broker.port}"', gimbal_of("tcp:127.0.0.1:1"))
         with running_gateway(tmp_path, fleet) as gateway:
             eventually(lambda: "New client connected" in broker.log.read_text())
             assert gateway.end() == 0
+            command = "commands VALUES (78, CAST(x'FF' AS TEXT), null, 'get {}', 0, null)"
             for change, row in (
                 ("waiting VALUES (77, 1, 't', '{\"event', x'')", "row 77 of the table 'waiting'"),
-                (
-                    "commands VALUES (78, CAST(x'FF' AS TEXT), null, 'get {}', 0, null)",
-                    "row 78 of the table 'commands'",
-                ),
+                (command, "row 78 of the table 'commands'"),
             ):
                 with closing(sqlite3.connect(tmp_path / "fleet.db")) as journal, journal:
                     journal.execute(f"INSERT INTO {change}")
@@ -205,21 +152,57 @@ def most_memory(gateway: Gateway) -> int:
 @pytest.mark.long  # the peak depends on what the machine does meanwhile
 def test_payloads_without_an_end(tmp_path: Path) -> None:
     """The gateway holds one message that is too long in memory, never several."""
-    with broker_with_acl(
-        tmp_path, "topic readwrite sbgc/#\n"
-    ) as broker, emulated_gimbal() as front:
-        seen = Subscriber(broker.port, "sbgc/studio/front/#", "-u", "tester")
-        say = Commander(broker.port, "studio", "-u", "tester")
-        with running_gateway(tmp_path, text(broker, front, 'user = "gateway"')) as gateway:
-            wait_until_online(seen)
-            before = most_memory(gateway)
-            megabytes = 20
-            count = 10
-            gateway.process.send_signal(signal.SIGSTOP)
+    with studio_with_acl(tmp_path) as studio:
+        before = most_memory(studio.gateway)
+        megabytes = 20
+        count = 10
+        with suspended(studio.gateway.process):
             for _ in range(count):
-                say.publish("sbgc/studio/front/cmd/get", "x" * (megabytes << 20))
-            gateway.process.send_signal(signal.SIGCONT)
-            eventually(lambda: len(seen.events("front", "result")) == count, 60)
-            # What arrives, and the copy that the library makes.
-            assert most_memory(gateway) - before < 4 * megabytes
-        seen.close()
+                studio.say.publish("sbgc/studio/front/cmd/get", "x" * (megabytes << 20))
+        eventually(lambda: len(studio.seen.events("front", "result")) == count, 60)
+        # What arrives, and the copy that the library makes.
+        assert most_memory(studio.gateway) - before < 4 * megabytes
+
+
+def text_of(broker: Mosquitto, front: EmulatedGimbal, mqtt: str) -> str:
+    address = f'"127.0.0.1:{broker.port}"'
+    return fleet_of(address, gimbal_of(front.address, "raw"), settings=f'mqtt = "{mqtt}"')
+
+
+def wait_for_answer(seen: Subscriber, say: Commander) -> None:
+    """Also that a gimbal is not online yet is one."""
+    seen.result(say.command("front", "raw", {"message": "GetAnglesRequest"}))
+
+
+@pytest.mark.parametrize("mqtt", ["3.1.1", "5"])
+def test_the_later_one_gives_way(tmp_path: Path, mqtt: str) -> None:
+    folders = [tmp_path / "first", tmp_path / "second"]
+    for folder in folders:
+        folder.mkdir()
+    with (
+        running_broker(tmp_path) as broker,
+        closing(Subscriber(broker.port)) as seen,
+        emulated_gimbal() as one,
+        emulated_gimbal() as other,
+        running_gateway(folders[0], text_of(broker, one, mqtt)) as first,
+    ):
+        say = Commander(broker.port)
+        seen.wait_for()
+        wait_for_answer(seen, say)
+        with running_gateway(folders[1], text_of(broker, other, mqtt)) as second:
+            assert second.process.wait(timeout=30) == 2
+            assert "another gateway of this fleet" in second.log.read_text()
+        wait_for_answer(seen, say)
+        states = "sbgc/studio/gateway/state"
+        eventually(lambda: '"online"' in seen.on(states)[-1].text)
+        assert first.end() == 0
+
+
+def test_a_gateway_is_no_rival_of_its_earlier_self(tmp_path: Path) -> None:
+    with running_studio(tmp_path, 'mqtt = "3.1.1"') as studio:
+        for _ in range(5):
+            wait_for_answer(studio.seen, studio.say)
+            studio.gateway.kill()
+            studio.gateway.restart()
+        wait_for_answer(studio.seen, studio.say)
+        assert studio.gateway.end() == 0

@@ -73,6 +73,12 @@ Order turning_for(milliseconds time) {
 
 Order reading() { return calling(msg::GetAnglesRequest{}); }
 
+Order motors_off() {
+  Order order = calling(msg::MotorsOff{});
+  order.is_urgent = true;
+  return order;
+}
+
 class GimbalTasksTest : public ::testing::Test {
  public:
   GimbalTasksTest(const GimbalTasksTest&) = delete;
@@ -136,6 +142,17 @@ class GimbalTasksTest : public ::testing::Test {
     return found;
   }
   std::string result(Order order) { return end_of(run(std::move(order))); }
+  void start_turning() {
+    EXPECT_EQ(result(turning_for(Order::forever)), "done");
+    ASSERT_TRUE(eventually_turns());
+  }
+  /// A move that lasts, and two commands that wait for it.
+  void run_three() {
+    run(far_move());
+    run(near_move());
+    run(reading());
+    ASSERT_TRUE(eventually_turns());
+  }
   void shut_down() {
     std::promise<void> done;
     tasks->shut_down([&] { done.set_value(); });
@@ -191,21 +208,22 @@ class GimbalTasksTest : public ::testing::Test {
   }
 };
 
-TEST_F(GimbalTasksTest, OneAfterTheOther) {
-  connect();
+class ConnectedTasks : public GimbalTasksTest {
+ protected:
+  void SetUp() override { connect(); }
+};
+
+TEST_F(ConnectedTasks, OneAfterTheOther) {
   run(near_move());
   run(reading());
   run(near_move(-3_deg));
   EXPECT_THAT(ends.wait_for(3), ElementsAre(End{1, "done"}, End{2, "done"}, End{3, "done"}));
   EXPECT_EQ(board.count<msg::Control>(), 2U);
+  EXPECT_TRUE(is_at_rest_after(3));
 }
 
-TEST_F(GimbalTasksTest, AStopGoesFirst) {
-  connect();
-  run(far_move());
-  run(near_move());
-  run(reading());
-  ASSERT_TRUE(eventually_turns());
+TEST_F(ConnectedTasks, AStopGoesFirst) {
+  run_three();
   const std::int64_t stop = run({.what = StopOrder()});
   EXPECT_EQ(end_of(stop), "done");
   EXPECT_EQ(speed(), 0);
@@ -215,8 +233,7 @@ TEST_F(GimbalTasksTest, AStopGoesFirst) {
   EXPECT_TRUE(is_at_rest_after(2));
 }
 
-TEST_F(GimbalTasksTest, StopsThatComeTogetherAreOne) {
-  connect();
+TEST_F(ConnectedTasks, StopsThatComeTogetherAreOne) {
   EXPECT_EQ(result(turning_for(Order::forever)), "done");
   constexpr std::size_t count = 200;
   for (std::size_t i = 0; i < count; ++i) run({.what = StopOrder()});
@@ -225,8 +242,7 @@ TEST_F(GimbalTasksTest, StopsThatComeTogetherAreOne) {
   EXPECT_LT(board.count<msg::Control>(), count);
 }
 
-TEST_F(GimbalTasksTest, AMotionThatIsNotConfirmedDoesNotComeAfterAStop) {
-  connect();
+TEST_F(ConnectedTasks, AMotionThatIsNotConfirmedDoesNotComeAfterAStop) {
   Collector<int> lost;
   board.on_lost([&](const Packet& request) {
     const bool is_turn = test::is<msg::Control>(request) &&
@@ -243,8 +259,7 @@ TEST_F(GimbalTasksTest, AMotionThatIsNotConfirmedDoesNotComeAfterAStop) {
   EXPECT_EQ(speed(), 0);
 }
 
-TEST_F(GimbalTasksTest, AMotionThatHasComeBeforeAStopIsSuperseded) {
-  connect();
+TEST_F(ConnectedTasks, AMotionThatHasComeBeforeAStopIsSuperseded) {
   EXPECT_EQ(result({.what = StopOrder()}), "done");
   EXPECT_EQ(end_of(run(near_move(), {}, milliseconds(0), 0)), "superseded");
   EXPECT_TRUE(is_at_rest_after(2));
@@ -252,20 +267,16 @@ TEST_F(GimbalTasksTest, AMotionThatHasComeBeforeAStopIsSuperseded) {
   EXPECT_EQ(result(near_move()), "done");
 }
 
-TEST_F(GimbalTasksTest, MotorsAreTurnedOffBeforeWhatWaits) {
-  connect();
+TEST_F(ConnectedTasks, MotorsAreTurnedOffBeforeWhatWaits) {
   run(far_move());
   run(near_move());
   ASSERT_TRUE(eventually_turns());
-  Order off = calling(msg::MotorsOff{});
-  off.is_urgent = true;
-  EXPECT_EQ(result(std::move(off)), "done");
+  EXPECT_EQ(result(motors_off()), "done");
   EXPECT_EQ(end_of(1), "cancelled");
   EXPECT_EQ(end_of(2), "superseded");
 }
 
-TEST_F(GimbalTasksTest, TooManyThatWaitAreRefused) {
-  connect();
+TEST_F(ConnectedTasks, TooManyThatWaitAreRefused) {
   run(far_move());
   ASSERT_TRUE(eventually_turns());
   for (int i = 0; i < 16; ++i) run(reading());
@@ -286,8 +297,7 @@ TEST_F(GimbalTasksTest, NothingMovesWithoutTheBrokerOrTheGimbal) {
   EXPECT_EQ(result(near_move()), "done");
 }
 
-TEST_F(GimbalTasksTest, ADeadlineThatPassesWhileItWaits) {
-  connect();
+TEST_F(ConnectedTasks, ADeadlineThatPassesWhileItWaits) {
   run(far_move());
   ASSERT_TRUE(eventually_turns());
   const std::int64_t early = run(reading(), milliseconds(50));
@@ -298,14 +308,12 @@ TEST_F(GimbalTasksTest, ADeadlineThatPassesWhileItWaits) {
   EXPECT_EQ(end_of(late), "done");
 }
 
-TEST_F(GimbalTasksTest, ASpeedThatWaitedIsRefused) {
-  connect();
+TEST_F(ConnectedTasks, ASpeedThatWaitedIsRefused) {
   EXPECT_EQ(end_of(run(turning(), {}, 2 * GimbalTasks::longest_silence)), "expired");
   EXPECT_EQ(end_of(run(turning())), "done");
 }
 
-TEST_F(GimbalTasksTest, ASpeedEndsByItself) {
-  connect();
+TEST_F(ConnectedTasks, ASpeedEndsByItself) {
   const std::int64_t command = run(turning());
   EXPECT_EQ(end_of(command), "done");
   EXPECT_TRUE(eventually_turns());
@@ -314,16 +322,14 @@ TEST_F(GimbalTasksTest, ASpeedEndsByItself) {
   EXPECT_TRUE(eventually_turns(false));
 }
 
-TEST_F(GimbalTasksTest, TheEndOfASpeedDoesNotStopWhatComesAfterIt) {
-  connect();
+TEST_F(ConnectedTasks, TheEndOfASpeedDoesNotStopWhatComesAfterIt) {
   EXPECT_EQ(result(turning()), "done");
   EXPECT_EQ(result(turning_for(Order::forever)), "done");
   std::this_thread::sleep_for(2 * GimbalTasks::longest_silence);
   EXPECT_NE(speed(), 0);
 }
 
-TEST_F(GimbalTasksTest, WhatGoesOnForAWhileIsThenAtRest) {
-  connect();
+TEST_F(ConnectedTasks, WhatGoesOnForAWhileIsThenAtRest) {
   const auto begun = GimbalTasks::Clock::now();
   const std::int64_t command = run(turning_for(milliseconds(500)));
   EXPECT_EQ(end_of(command), "done");
@@ -331,17 +337,8 @@ TEST_F(GimbalTasksTest, WhatGoesOnForAWhileIsThenAtRest) {
   EXPECT_GE(GimbalTasks::Clock::now() - begun, milliseconds(500));
 }
 
-TEST_F(GimbalTasksTest, AMoveThatHasEndedIsAtRest) {
-  connect();
-  const std::int64_t command = run(near_move());
-  EXPECT_EQ(end_of(command), "done");
-  EXPECT_TRUE(is_at_rest_after(command));
-}
-
-TEST_F(GimbalTasksTest, ABrokerThatIsGoneStopsTheCamera) {
-  connect();
-  EXPECT_EQ(result(turning_for(Order::forever)), "done");
-  ASSERT_TRUE(eventually_turns());
+TEST_F(ConnectedTasks, ABrokerThatIsGoneStopsTheCamera) {
+  start_turning();
   EXPECT_THAT(rests.wait_for(0), ElementsAre());
   is_broker_there = false;
   EXPECT_THAT(events.wait_for(1),
@@ -350,10 +347,8 @@ TEST_F(GimbalTasksTest, ABrokerThatIsGoneStopsTheCamera) {
   EXPECT_TRUE(is_at_rest_after(1));
 }
 
-TEST_F(GimbalTasksTest, AStopIsOwedOverSilence) {
-  connect();
-  EXPECT_EQ(result(turning_for(Order::forever)), "done");
-  ASSERT_TRUE(eventually_turns());
+TEST_F(ConnectedTasks, AStopIsOwedOverSilence) {
+  start_turning();
   be_silent();
   EXPECT_THAT(result({.what = StopOrder()}), AnyOf("timeout", "not_connected", "link_lost"));
   EXPECT_TRUE(has_event("stopping: the stop is still owed: "));
@@ -369,22 +364,17 @@ TEST_F(GimbalTasksTest, AStopIsOwedOverSilence) {
   EXPECT_EQ(result(near_move()), "done");
 }
 
-TEST_F(GimbalTasksTest, MotorsOffAreOwedOverSilence) {
-  connect();
+TEST_F(ConnectedTasks, MotorsOffAreOwedOverSilence) {
   be_silent();
-  Order off = calling(msg::MotorsOff{});
-  off.is_urgent = true;
-  EXPECT_THAT(result(std::move(off)), AnyOf("timeout", "not_connected", "link_lost"));
+  EXPECT_THAT(result(motors_off()), AnyOf("timeout", "not_connected", "link_lost"));
   EXPECT_TRUE(has_event("stopping: motors off is still owed: "));
   board.on_lost({});
   EXPECT_TRUE(has_event("stopped: motors off; "));
   EXPECT_EQ(result(reading()), "done");
 }
 
-TEST_F(GimbalTasksTest, WhatSomethingElseTurnsIsNotOwedAStop) {
-  connect();
-  EXPECT_EQ(result(turning_for(Order::forever)), "done");
-  ASSERT_TRUE(eventually_turns());
+TEST_F(ConnectedTasks, WhatSomethingElseTurnsIsNotOwedAStop) {
+  start_turning();
   board.on_lost([](const Packet& request) { return test::is<msg::Control>(request); });
   // On a busy machine, an answer may be so late that the board counts as silent.
   std::string said = result({.what = StopOrder()});
@@ -397,10 +387,8 @@ TEST_F(GimbalTasksTest, WhatSomethingElseTurnsIsNotOwedAStop) {
   EXPECT_NE(speed(), 0);
 }
 
-TEST_F(GimbalTasksTest, SilenceWhileTheCameraMovesIsALoss) {
-  connect();
-  EXPECT_EQ(result(turning_for(Order::forever)), "done");
-  ASSERT_TRUE(eventually_turns());
+TEST_F(ConnectedTasks, SilenceWhileTheCameraMovesIsALoss) {
+  start_turning();
   be_silent();
   EXPECT_TRUE(has_event("silent: "));
   EXPECT_TRUE(links.wait_until(
@@ -411,12 +399,8 @@ TEST_F(GimbalTasksTest, SilenceWhileTheCameraMovesIsALoss) {
   EXPECT_EQ(speed(), 0);
 }
 
-TEST_F(GimbalTasksTest, ALineThatIsLostInTheMiddle) {
-  connect();
-  run(far_move());
-  run(near_move());
-  run(reading());
-  ASSERT_TRUE(eventually_turns());
+TEST_F(ConnectedTasks, ALineThatIsLostInTheMiddle) {
+  run_three();
   board.unplug();
   // The stop after the loss can come before the move has noticed it.
   EXPECT_THAT(end_of(1), AnyOf("not_connected", "cancelled"));
@@ -429,8 +413,7 @@ TEST_F(GimbalTasksTest, ALineThatIsLostInTheMiddle) {
   EXPECT_EQ(result(near_move()), "done");
 }
 
-TEST_F(GimbalTasksTest, ShuttingDownStopsTheCamera) {
-  connect();
+TEST_F(ConnectedTasks, ShuttingDownStopsTheCamera) {
   run(far_move());
   run(reading());
   ASSERT_TRUE(eventually_turns());
@@ -443,15 +426,13 @@ TEST_F(GimbalTasksTest, ShuttingDownStopsTheCamera) {
   EXPECT_TRUE(is_at_rest_after(1));
 }
 
-TEST_F(GimbalTasksTest, ShuttingDownLeavesACameraAloneThatNothingHasMoved) {
-  connect();
+TEST_F(ConnectedTasks, ShuttingDownLeavesACameraAloneThatNothingHasMoved) {
   EXPECT_EQ(result(reading()), "done");
   shut_down();
   EXPECT_EQ(board.count<msg::Control>(), 0U);
 }
 
-TEST_F(GimbalTasksTest, ShuttingDownCancelsWhatRuns) {
-  connect();
+TEST_F(ConnectedTasks, ShuttingDownCancelsWhatRuns) {
   board.on_lost([](const Packet& request) { return test::is<msg::GetAnglesRequest>(request); });
   const std::int64_t command = run(reading());
   shut_down();
@@ -477,8 +458,7 @@ TEST_F(GimbalTasksTest, WhatStandsAfterTheStartGetsNothing) {
   EXPECT_EQ(board.count<msg::Control>(), 0U);
 }
 
-TEST_F(GimbalTasksTest, ShuttingDownTriesUntilItIsGivenUp) {
-  connect();
+TEST_F(ConnectedTasks, ShuttingDownTriesUntilItIsGivenUp) {
   EXPECT_EQ(result(turning_for(Order::forever)), "done");
   be_silent();
   std::promise<void> done;
@@ -489,8 +469,7 @@ TEST_F(GimbalTasksTest, ShuttingDownTriesUntilItIsGivenUp) {
   EXPECT_THAT(rests.wait_for(0), ElementsAre());
 }
 
-TEST_F(GimbalTasksTest, ParametersThatAreBeingWrittenEndWithTheExecutor) {
-  connect();
+TEST_F(ConnectedTasks, ParametersThatAreBeingWrittenEndWithTheExecutor) {
   board.on_lost([](const Packet&) { return true; });
   run({.what = SetOrder{values_of({{"pitch.p", "20"}}, false), {}}, .must_not_wait = true});
   shut_down();

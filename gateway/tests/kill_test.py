@@ -22,6 +22,7 @@ import pytest
 from brokers import Commander, Mosquitto, Subscriber, now
 from gateway import Gateway, eventually, hanging_disk
 from sbgc_command import PROGRAM
+from studio import fleet_of, gimbal_of
 
 BODY_WITHOUT_NOTES = 12
 NOTES = range(1, 26)
@@ -44,19 +45,8 @@ class Rounds:
         self.broker.start()
         self.seen = Subscriber(self.broker.port, ["sbgc/studio/reply/#", "sbgc/studio/front/state"])
         self.say = Commander(self.broker.port)
-        self.gateway = Gateway(
-            folder,
-            f"""[fleet]
-name = "studio"
-[broker]
-address = "127.0.0.1:{self.broker.port}"
-journal = "fleet.db"
-[gimbal.front]
-port = "{address}"
-allow = ["raw"]
-raw-effects = ["sets"]
-""",
-        )
+        gimbal = gimbal_of(address, "raw", 'raw-effects = ["sets"]')
+        self.gateway = Gateway(folder, fleet_of(f'"127.0.0.1:{self.broker.port}"', gimbal))
         self.statuses: Counter[str] = Counter()
 
     def close(self) -> None:
@@ -79,16 +69,10 @@ raw-effects = ["sets"]
         keys = {f"{number}-{notes}": notes for notes in NOTES}
         payloads = []
         for key, notes in keys.items():
-            fields = {
-                "mode": "BEEPER_MODE_CUSTOM_MELODY",
-                "note_length": 1,
-                "note_freq_hz": [1000] * notes,
-            }
-            payloads.append(
-                self.say.payload(
-                    {"message": "BeepSound", "fields": fields}, key=key, deadline=now() + 50_000
-                )
-            )
+            fields: dict[str, Any] = {"mode": "BEEPER_MODE_CUSTOM_MELODY", "note_length": 1}
+            fields["note_freq_hz"] = [1000] * notes
+            beep = {"message": "BeepSound", "fields": fields}
+            payloads.append(self.say.payload(beep, key=key, deadline=now() + 50_000))
         publishing = self.say.publish_many("sbgc/studio/front/raw", payloads)
         time.sleep(self.random.uniform(0, 0.4))
         if self.gateway.hangs_at_disk:

@@ -12,6 +12,7 @@ import pytest
 from brokers import Commander, Nats, Subscriber, free_port, now
 from emulated_gimbal import emulated_gimbal
 from gateway import eventually, running_gateway
+from studio import fleet_of, gimbal_of
 
 BEFORE = 20
 AFTER = 20
@@ -89,22 +90,10 @@ def test_one_of_three_servers_is_killed(
     seen = Subscriber(servers[1].port, topics, "-c", "-i", "observer")
     say = Commander(servers[2].port)
     with emulated_gimbal() as gimbal:
-        text = f"""[fleet]
-name = "studio"
-[broker]
-address = [{addresses}]
-journal = "fleet.db"
-[gimbal.front]
-port = "{gimbal.address}"
-allow = ["raw", "stop", "home"]
-telemetry = ["RealtimeData4 10"]
-"""
+        telemetry = 'telemetry = ["RealtimeData4 10"]'
+        text = fleet_of(f"[{addresses}]", gimbal_of(gimbal.address, "raw stop home", telemetry))
         with running_gateway(tmp_path, text) as gateway:
-            eventually(
-                lambda: [
-                    one for one in seen.on("sbgc/studio/front/state") if '"online"' in one.text
-                ]
-            )
+            seen.wait_for()
             eventually(lambda: seen.on("sbgc/studio/front/telemetry/RealtimeData4"))
             keys = [f"ask-{number}" for number in range(BEFORE + AFTER)]
             for key in keys[:BEFORE]:

@@ -5,36 +5,24 @@ from __future__ import annotations
 import json
 import os
 import random
-import signal
 import socket
 import subprocess
 import threading
 import time
-from collections.abc import Iterator
-from contextlib import contextmanager
+from collections.abc import Callable, Iterator
+from contextlib import AbstractContextManager, contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 from broker_test import check
-from brokers import Commander, Mosquitto, Subscriber, now
+from brokers import Commander, Mosquitto, Subscriber, now, suspended
 from emulated_gimbal import EmulatedGimbal, emulated_gimbal
 from gateway import Gateway, eventually, hanging_disk, running_gateway
+from relay import pass_on
 from sbgc_command import run
-
-FLEET = """[fleet]
-name = "studio"
-[broker]
-address = "127.0.0.1:{port}"
-journal = "fleet.db"
-stop-after = 1
-{broker}
-[gimbal.front]
-port = "{front}"
-allow = ["stop", "move", "speed", "motors", "calibrate", "get", "raw"]
-raw-effects = ["sets", "moves", "restarts"]
-"""
+from studio import fleet_of, gimbal_of, running_broker
 
 TURN = {
     "message": "Control",
@@ -74,29 +62,19 @@ class Line:
                 continue
             self.ends += [near, far]
             for source, sink in ((near, far), (far, near)):
-                threading.Thread(target=self._carry, args=(source, sink), daemon=True).start()
+                arguments = (source, sink, self._change)
+                threading.Thread(target=pass_on, args=arguments, daemon=True).start()
 
-    def _carry(self, source: socket.socket, sink: socket.socket) -> None:
-        try:
-            while data := source.recv(4096):
-                while self.holds:
-                    time.sleep(0.01)
-                sink.sendall(bytes(one for one in data if self.random.random() >= self.loss))
-        except OSError:
-            pass
-        for end in (source, sink):
-            try:
-                end.shutdown(socket.SHUT_RDWR)
-            except OSError:
-                pass
+    def _change(self, data: bytes) -> bytes:
+        while self.holds:
+            time.sleep(0.01)
+        return bytes(one for one in data if self.random.random() >= self.loss)
 
     def cut(self) -> None:
         self.is_up = False
         for end in self.ends:
-            try:
+            with suppress(OSError):
                 end.shutdown(socket.SHUT_RDWR)
-            except OSError:
-                pass
         self.ends = []
 
 
@@ -112,7 +90,11 @@ class Stage:
         self.say = Commander(broker.port)
 
     def fleet(self, settings: str = "") -> str:
-        return FLEET.format(port=self.broker.port, front=self.line.address, broker=settings)
+        allow = "stop move speed motors calibrate get raw"
+        effects = 'raw-effects = ["sets", "moves", "restarts"]'
+        gimbal = gimbal_of(self.line.address, allow, effects)
+        address = f'"127.0.0.1:{self.broker.port}"'
+        return fleet_of(address, gimbal, settings=f"stop-after = 1\n{settings}")
 
     def online(self) -> int:
         """How often the gimbal was reported to be online."""
@@ -145,13 +127,14 @@ class Stage:
 
 @pytest.fixture(name="stage")
 def stage_(tmp_path: Path) -> Iterator[Stage]:
-    broker = Mosquitto(tmp_path / "broker", "allow_anonymous true\nmax_queued_messages 0\n")
-    broker.start()
-    with emulated_gimbal("--calibration-time", "100") as front:
+    settings = "allow_anonymous true\nmax_queued_messages 0\n"
+    with (
+        running_broker(tmp_path, settings) as broker,
+        emulated_gimbal("--calibration-time", "100") as front,
+    ):
         stage = Stage(tmp_path, broker, front)
         yield stage
         stage.seen.close()
-    broker.kill()
 
 
 def start_turning(stage: Stage) -> None:
@@ -254,10 +237,8 @@ def test_a_line_that_comes_back_stops_the_motion(stage: Stage, task: str, parame
         stage.line.is_up = True
         eventually(lambda: stage.online() > before)
         eventually(stage.stands)
-        assert (
-            "line was lost"
-            in eventually(lambda: stage.seen.events("front", "stopped"))[0]["message"]
-        )
+        stopped = eventually(lambda: stage.seen.events("front", "stopped"))[0]
+        assert "line was lost" in stopped["message"]
         assert gateway.end() == 0
 
 
@@ -353,10 +334,9 @@ def test_a_command_that_is_to_be_retained_is_refused(stage: Stage) -> None:
 def test_what_has_come_with_a_stop_does_not_begin_after_it(stage: Stage) -> None:
     with running_gateway(stage.folder, stage.fleet()) as gateway:
         stage.motors_on()
-        gateway.process.send_signal(signal.SIGSTOP)
-        move = stage.say.command("front", "move", FAR)
-        stop = stage.say.command("front", "stop")
-        gateway.process.send_signal(signal.SIGCONT)
+        with suspended(gateway.process):
+            move = stage.say.command("front", "move", FAR)
+            stop = stage.say.command("front", "stop")
         assert stage.seen.result(stop)["status"] == "done"
         assert stage.seen.result(move)["error"]["code"] == "superseded"
         assert stage.stands()
@@ -398,13 +378,6 @@ def held(line: Line) -> Iterator[None]:
     line.holds = False
 
 
-@contextmanager
-def stopped(process: subprocess.Popen[bytes]) -> Iterator[None]:
-    process.send_signal(signal.SIGSTOP)
-    yield
-    process.send_signal(signal.SIGCONT)
-
-
 @pytest.mark.parametrize("version", ["3.1.1", pytest.param("5", marks=pytest.mark.long)])
 @pytest.mark.parametrize("part", ["gateway", "broker", "path"])
 def test_no_speed_comes_late(stage: Stage, part: str, version: str) -> None:
@@ -432,16 +405,15 @@ def test_no_speed_comes_late(stage: Stage, part: str, version: str) -> None:
 
         stage.motors_on()
         publish(1)
-        assert stage.broker.process is not None
-        suspension = {
-            "gateway": lambda: stopped(gateway.process),
-            "broker": lambda: stopped(stage.broker.process),
+        suspension: dict[str, Callable[[], AbstractContextManager[None]]] = {
+            "gateway": lambda: suspended(gateway.process),
+            "broker": lambda: suspended(stage.broker.process),
             "path": lambda: held(path),
-        }[part]
-        with suspension():
+        }
+        with suspension[part]():
             publish(chance.uniform(0.6, 4))
         publish(0.2)
-        with suspension():  # again, while what has waited still comes
+        with suspension[part]():  # again, while what has waited still comes
             publish(1.5)
         resumed = now()
         publish(3)

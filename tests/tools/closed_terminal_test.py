@@ -259,7 +259,8 @@ def ignore_hangup() -> None:
 
 
 @pytest.mark.parametrize(
-    "what", ["bridge {board} --tcp 0", "record {board} c", "stream -p {board}"]
+    "what",
+    ["bridge {board} --tcp 0", "record {board} c", "stream -p {board}", "emulate --tcp 0"],
 )
 def test_nohup_goes_on(what: str, tmp_path: Path) -> None:
     with emulated_gimbal() as gimbal:

@@ -10,7 +10,8 @@ from contextlib import contextmanager, suppress
 Change = Callable[[bytes], bytes]
 
 
-def _pass_on(source: socket.socket, target: socket.socket, change: Change) -> None:
+def pass_on(source: socket.socket, target: socket.socket, change: Change) -> None:
+    """Carries until one of them ends, and then ends the other."""
     try:
         while data := source.recv(4096):
             target.sendall(change(data))
@@ -31,7 +32,7 @@ def _serve(
             return  # the test is over
         board = socket.create_connection(gimbal)
         for source, target, kind in ((host, board, change), (board, host, answers)):
-            threading.Thread(target=_pass_on, args=(source, target, kind), daemon=True).start()
+            threading.Thread(target=pass_on, args=(source, target, kind), daemon=True).start()
 
 
 @contextmanager

@@ -1,4 +1,4 @@
-// Tests of control commands, also with quaternions, and of their effect on the axes.
+// Tests of helper data for the control of axes, and of packed quaternions.
 
 #include <cmath>
 #include <optional>
@@ -8,52 +8,6 @@
 
 namespace sbgc::test {
 namespace {
-
-using emulator::AxisMode;
-
-/// Returns a request that moves only pitch.
-msg::ControlExt one_axis(msg::ControlModeKind mode, std::int16_t speed, std::int16_t angle) {
-  msg::ControlExt request;
-  request.control_mode.pitch.set_mode(mode);
-  request.axes.pitch = {msg::ControlSpeed(speed), msg::Angle14(angle)};
-  return request;
-}
-
-TEST(Control, ModesAndUnits) {
-  Host host;
-  const auto command = [&] { return host.board.gimbal().command(1); };
-  EXPECT_THAT(host.ask(one_axis(msg::ControlModeKind::speed, 1000, 0)), SizeIs(1));
-  EXPECT_EQ(command().mode, AxisMode::speed);
-  EXPECT_NEAR(command().speed, 1000 * 4000.0 / 32767, 1e-9);
-  host.ask(one_axis(msg::ControlModeKind::angle, -1000, 8192));
-  EXPECT_EQ(command().mode, AxisMode::angle);
-  EXPECT_NEAR(command().speed, 1000 * 4000.0 / 32767, 1e-9) << "the angle determines the direction";
-  EXPECT_EQ(command().angle, 180);
-  host.ask(one_axis(msg::ControlModeKind::speed_angle, -1000, 100));
-  EXPECT_EQ(command().mode, AxisMode::speed_angle);
-  EXPECT_LT(command().speed, 0);
-  auto parameters = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
-  parameters.rc_deadband = 0;
-  host.ask(msg::WriteParams3{parameters});
-  host.ask(one_axis(msg::ControlModeKind::rc, 0, -250));
-  EXPECT_EQ(command().mode, AxisMode::signal);
-  EXPECT_EQ(command().signal, -0.5);
-  parameters.rc.pitch.rc_mode.set_inverted(true);
-  parameters.rc_trim.pitch = 50;
-  host.ask(msg::WriteParams3{parameters});
-  host.ask(one_axis(msg::ControlModeKind::rc, 0, -250));
-  EXPECT_NEAR(command().signal, 0.6, 1e-9) << "it replaces the RC signal, including its parameters";
-  parameters.rc.pitch.rc_mode.set_inverted(false);
-  host.ask(msg::WriteParams3{parameters});
-  host.ask(one_axis(msg::ControlModeKind::rc, 0, 9999));
-  EXPECT_EQ(command().signal, 1);
-  host.ask(one_axis(msg::ControlModeKind::angle_rel_frame, 0, -16384));
-  EXPECT_EQ(command().mode, AxisMode::relative_angle);
-  EXPECT_EQ(command().angle, -360);
-  EXPECT_EQ(host.board.gimbal().command(0).mode, AxisMode::remote) << "other axes have their own";
-  host.ask(one_axis(msg::ControlModeKind::no_control, 0, 0));
-  EXPECT_EQ(command().mode, AxisMode::remote);
-}
 
 /// Returns the state of a handheld gimbal after 5 s in which a host sends `data` 50 times per
 /// second.

@@ -100,7 +100,13 @@ emulator::BoardOptions options_of(const Words& words) {
       char comma{};
       numbers >> angles.roll >> comma >> angles.pitch >> comma >> angles.yaw;
       options.gimbal.frame = {emulator::Disturbance::Kind::recorded, 1, {{Instant{}, angles}}};
-    } else if (word == "still")
+    } else if (word.starts_with("start="))
+      options.start_time = duration_of(word.substr(6));
+    else if (word.starts_with("bootloader="))
+      options.bootloader_time = duration_of(word.substr(11));
+    else if (word == "saving")
+      options.waits_for_saving = true;
+    else if (word == "still")
       options.gimbal.noise = 0;
     else if (word.starts_with("password="))
       options.password = word.substr(9);
@@ -202,7 +208,9 @@ class Player {
     const Words left = words_of(row.substr(0, arrow));
     row_ = row;
     const Packets packets = act(left);
-    if (arrow != std::string::npos) expect(packets, words_of(row.substr(arrow + 2)));
+    if (arrow == std::string::npos) return;
+    std::istringstream answers(row.substr(arrow + 2));
+    for (std::string one; std::getline(answers, one, '&');) expect(packets, words_of(one));
   }
 
  private:
@@ -245,6 +253,7 @@ class Player {
     if (verb == "board") {
       host_ = std::make_unique<Host>(options_of(rest));
       ports_ = 1;
+      saved(0);
       return {};
     }
     emulator::Gimbal& gimbal = host().board.gimbal();
@@ -261,6 +270,10 @@ class Player {
       gimbal.set_battery(number(0), host().now);
     else if (verb == "jam")
       gimbal.jam(axis(), true, host().now);
+    else if (verb == "saved")
+      saved(rest.empty() ? 0 : static_cast<std::uint32_t>(number(0)));
+    else if (verb == "unsaved")
+      host().board.memory_not_saved(host().board.memory().revision, host().now);
     else if (verb == "turn") {
       gimbal.command(axis(), {.mode = emulator::AxisMode::speed, .speed = number(1)}, host().now);
     } else if (verb == "port")
@@ -283,7 +296,11 @@ class Player {
       const auto bytes = detail::from_hex(rest.size() > 1 ? rest[1] : "");
       host().send_bytes(frame_of(static_cast<std::uint8_t>(axis()), bytes.value()));
       return host().listen(milliseconds(50));
-    } else if (verb == "store") {
+    } else if (verb == "bytes")
+      host().send_bytes(detail::from_hex(rest.at(0)).value());
+    else if (verb == "framing")
+      host().framing = rest.at(0) == "v2" ? Framing::v2 : Framing::v1;
+    else if (verb == "store") {
       AnyMessage file = type_of("WriteFile").make();
       assign(file, "file_id=" + rest.at(0));
       std::string text = row_.substr(row_.find(rest[0]) + rest[0].size() + 1);
@@ -303,6 +320,11 @@ class Player {
     return {};
   }
 
+  /// All but the last changes of the memory.
+  void saved(std::uint32_t without) {
+    host().board.memory_saved(host().board.memory().revision - without, host().now);
+  }
+
   void port(std::size_t number) {
     while (ports_ <= number) EXPECT_EQ(host().board.open_port(), ports_++);
     host().port = number;
@@ -317,12 +339,14 @@ class Player {
     if (name == "unknown") return static_cast<double>(board.counters().unknown);
     if (name == "refused") return static_cast<double>(board.counters().refused);
     if (name == "baud") return board.baud_rate();
+    if (name == "quiet") return board.is_quiet(host().port) ? 1 : 0;
     if (name == "loaded") {
       std::size_t size = 0;
       for (const auto& one : board.module_firmware()) size += one.second.size();
       return static_cast<double>(size);
     }
     const emulator::Sample sample = host().board.gimbal().sample(host().now);
+    if (name == "gyro.z") return sample.gyro.z;
     const std::map<std::string, Axes<double>> axes{{"angles", sample.angles},
                                                    {"targets", sample.targets},
                                                    {"joints", sample.joints},
@@ -432,7 +456,10 @@ class Player {
   /// The words after "->": [among] [last] NUMBER*NAME CLAIM..., or a way to say that no more comes.
   void expect(const Packets& packets, Words words) {
     std::vector<AnyMessage> found;
-    for (const Packet& packet : packets) found.push_back(decoded(packet));
+    for (const Packet& packet : packets) {
+      found.push_back(decoded(packet));
+      EXPECT_EQ(packet.framing, host().framing) << "that of the last request";
+    }
     const auto take = [&](const char* word) {
       const bool is_there = !words.empty() && words[0] == word;
       if (is_there) words.erase(words.begin());

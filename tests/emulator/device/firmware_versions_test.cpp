@@ -158,42 +158,6 @@ INSTANTIATE_TEST_SUITE_P(Firmware, EachFirmware,
                          ::testing::Values(2430, 2439, 2550, 2605, 2660, 2687, 2709, 2730, 2740),
                          [](const auto& one) { return std::to_string(one.param); });
 
-// A field at the end of a request, flags and values are new at different times.
-
-TEST(FirmwareLimits, AFieldThatTheFirmwareDoesNotHaveIsSurplus) {
-  const auto strict = [](std::uint16_t firmware) {
-    emulator::BoardOptions options = board_with(firmware);
-    options.is_strict = true;
-    return options;
-  };
-  msg::SaveParams3 request;
-  request.param_id.push_back(msg::VariableId::p_roll);
-  Host old(board_with(2688));
-  EXPECT_TRUE(is_confirmed(old, request));
-  Host strict_old(strict(2688));
-  EXPECT_EQ(refusal(strict_old, request), msg::BoardErrorCode::cmd_size);
-  Host later(strict(2689));
-  EXPECT_TRUE(is_confirmed(later, request));
-  msg::DebugVarsInfo3Request start;
-  start.start_idx = std::uint8_t{3};
-  Host before(strict(2719));
-  EXPECT_EQ(refusal(before, start), msg::BoardErrorCode::cmd_size);
-  Host after(strict(2720));
-  const auto all_variables = after.get<msg::DebugVarsInfo3>(msg::DebugVarsInfo3Request{});
-  const auto rest = after.get<msg::DebugVarsInfo3>(start);
-  ASSERT_EQ(rest.vars.size() + 3, all_variables.vars.size());
-  EXPECT_EQ(rest.vars[0], all_variables.vars[3]);
-}
-
-TEST(FirmwareLimits, ALaterModeIsRefused) {
-  msg::Control request;
-  request.control_mode.set_mode(msg::ControlModeKind::angle_shortest);
-  Host old(board_with(2706));
-  EXPECT_EQ(refusal(old, request), msg::BoardErrorCode::wrong_params);
-  Host later(board_with(2707));
-  EXPECT_TRUE(is_confirmed(later, request));
-}
-
 TEST(FirmwareLimits, LaterBlocksAreLeftOut) {
   const msg::RealtimeDataCustomRequest request{.flags = msg::RealtimeDataCustomFlag::imu_angles |
                                                         msg::RealtimeDataCustomFlag::imu_quat};
@@ -201,15 +165,6 @@ TEST(FirmwareLimits, LaterBlocksAreLeftOut) {
   EXPECT_EQ(old.ask(request).at(0).body.size(), 2U + 6);
   Host later(board_with(2730));
   EXPECT_EQ(later.ask(request).at(0).body.size(), 2U + 6 + 8);
-}
-
-TEST(FirmwareLimits, ReservedBytesAreZero) {
-  const auto state = [](std::uint16_t firmware) {
-    Host host(board_with(firmware));
-    return host.get<msg::RealtimeData4>(msg::RealtimeData4Request{}).system_state_flags.raw();
-  };
-  EXPECT_EQ(state(2729), 0U);
-  EXPECT_NE(state(2730), 0U);
 }
 
 TEST(Servos, OnlyTheSelectedOnesChange) {

@@ -5,7 +5,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -149,25 +148,10 @@ std::ptrdiff_t confirmations(const Packets& packets) {
                        [](const msg::Confirm& one) { return one.cmd == M::command; });
 }
 
-/// Returns the reason if the packets are a single CMD_ERROR that names M.
-template <class M>
-std::optional<msg::BoardErrorCode> refusal(const Packets& packets) {
-  const auto errors = all<msg::ErrorExt>(packets);
-  if (packets.size() != 1 || errors.size() != 1 || errors[0].cmd_id != M::command) return {};
-  return errors[0].error_code;
-}
-
 /// Returns true if the only response to the request is a confirmation.
 template <Message M>
 bool is_confirmed(Host& host, const M& request) {
   const Packets packets = host.ask(request);
   return packets.size() == 1 && confirmations<M>(packets) == 1;
 }
-
-/// Returns the reason why a request is rejected; nothing for any other response.
-template <Message M>
-std::optional<msg::BoardErrorCode> refusal(Host& host, const M& request) {
-  return refusal<M>(host.ask(request));
-}
-
 }  // namespace sbgc::test

@@ -70,35 +70,6 @@ TEST(LiveData, AFrameTellsTheCamerasAttitudeAndTheOtherWayRound) {
   }
 }
 
-TEST(LiveData, LaterFirmwareHasAModeOfTwoBytesInFrontOfTheVectors) {
-  // The requested attitude is a tilt of 30 degrees; each firmware accepts only its own form.
-  const std::vector<std::uint8_t> vectors{0,    0,    0,    0,    0, 0, 0, 0xBF,
-                                          0xD7, 0xB3, 0x5D, 0x3F, 0, 0, 0, 0,
-                                          0xD7, 0xB3, 0x5D, 0x3F, 0, 0, 0, 0x3F};
-  for (const int firmware : {2590, 2694, 2695, 2740}) {
-    SCOPED_TRACE(firmware);
-    emulator::BoardOptions options = still();
-    options.firmware = msg::FirmwareVersion(static_cast<std::uint16_t>(firmware));
-    options.is_strict = true;  // otherwise a longer form is an older one with surplus
-    const bool is_late = firmware >= 2695;
-    Host host(options);
-    std::vector<std::uint8_t> body{1};
-    if (is_late) body.push_back(0);
-    body.insert(body.end(), vectors.begin(), vectors.end());
-    host.send_bytes(frame_of(56, body));
-    EXPECT_THAT(host.listen(milliseconds(5)), SizeIs(0)) << "taken";
-    const double pitch = host.board.gimbal().sample(host.now).angles.pitch;
-    EXPECT_NEAR(std::abs(pitch), 30, 1);
-    for (const std::size_t size : {1U, 2U, 25U, 26U}) {
-      host.send_bytes(frame_of(56, std::vector<std::uint8_t>(size)));
-      const Packets packets = host.listen(milliseconds(20));
-      const bool fits = size % 2 == (is_late ? 0U : 1U);
-      EXPECT_THAT(all<msg::AhrsHelper>(packets), SizeIs(fits ? 1 : 0)) << size;
-      EXPECT_THAT(all<msg::ErrorExt>(packets), SizeIs(fits ? 0 : 1)) << size;
-    }
-  }
-}
-
 using Block = msg::RealtimeDataCustomFlag;
 
 TEST(CustomData, HasTheSizeOfEachBlock) {
@@ -176,12 +147,6 @@ TEST(Streams, KeepTheirAverageRateForLong) {
   EXPECT_EQ(whole.us, 7'000 * (static_cast<std::int64_t>(packets.size()) - 1));
 }
 
-TEST(Streams, OneMillisecondMeansEachCycle) {
-  Host host;
-  host.ask(custom_stream(no_flags, 1), microseconds(800));
-  EXPECT_THAT(host.listen(seconds(2)), SizeIs(2500));
-}
-
 TEST(Streams, AreSampledAtTheirTimeHoweverLateTheBoardIsAsked) {
   emulator::BoardOptions options;
   options.output_buffer = 0;
@@ -216,19 +181,6 @@ TEST(Streams, SamplesWithoutRoomAreSkippedAtNoCost) {
   // The stream continues at its rate.
   host.listen({});
   EXPECT_THAT(host.listen(seconds(1)), SizeIs(1250));
-}
-
-TEST(Streams, AreNamedByCommandAndConfig) {
-  Host host;
-  host.ask(custom_stream(no_flags, 10));
-  host.ask(custom_stream(msg::RealtimeDataCustomFlag::acc_data, 10));
-  EXPECT_THAT(host.listen(seconds(1)), SizeIs(200));
-  host.ask(custom_stream(no_flags, 100));
-  host.listen(milliseconds(100));
-  EXPECT_THAT(host.listen(seconds(1)), SizeIs(110)) << "the first one is changed";
-  EXPECT_THAT(host.ask(custom_stream(msg::RealtimeDataCustomFlag::acc_data, 0), milliseconds(1)),
-              ::testing::Not(IsEmpty()));
-  EXPECT_THAT(host.listen(seconds(1)), SizeIs(10)) << "the second one is over";
 }
 
 TEST(Streams, AreLimitedOverAllPorts) {

@@ -47,8 +47,6 @@ ByteVector numbered(std::size_t size, unsigned start = 1) {
   return result;
 }
 
-TEST(Eeprom, HasThePagesOfTheSpecification) { EXPECT_EQ(Eeprom::page_size(), page); }
-
 TEST(Eeprom, NewMemoryIsErased) {
   Memory memory;
   const Eeprom eeprom(memory);
@@ -79,25 +77,15 @@ TEST(Eeprom, WritesUpToTheLastPage) {
 TEST(Eeprom, RefusesWhatIsNoPages) {
   Memory memory;
   Eeprom eeprom(memory);
-  for (const std::uint32_t address : {1U, 63U, 65U, 96U}) {
+  const auto end = static_cast<std::uint32_t>(Memory::eeprom_size);
+  for (const std::uint32_t address : {1U, 63U, 65U, 96U, end, 0x10000U, 0x80000000U, 0xFFFFFFC0U}) {
     EXPECT_FALSE(eeprom.read_pages(address, page)) << address;
+    EXPECT_FALSE(eeprom.read_pages(address, 3 * page)) << address;
     EXPECT_FALSE(eeprom.write_pages(address, numbered(page))) << address;
   }
   for (const std::size_t size : {1U, 63U, 65U, 100U}) {
     EXPECT_FALSE(eeprom.read_pages(0, size)) << size;
     EXPECT_FALSE(eeprom.write_pages(0, numbered(size))) << size;
-  }
-  EXPECT_EQ(memory, Memory());
-}
-
-TEST(Eeprom, RefusesEveryAddressAfterTheEnd) {
-  Memory memory;
-  Eeprom eeprom(memory);
-  for (const std::uint32_t address :
-       {static_cast<std::uint32_t>(Memory::eeprom_size), 0x10000U, 0x80000000U, 0xFFFFFFC0U}) {
-    EXPECT_FALSE(eeprom.read_pages(address, page)) << address;
-    EXPECT_FALSE(eeprom.read_pages(address, 3 * page)) << address;
-    EXPECT_FALSE(eeprom.write_pages(address, numbered(page))) << address;
   }
   EXPECT_FALSE(eeprom.read_pages(page, static_cast<std::size_t>(-64)));
   EXPECT_EQ(memory, Memory());
@@ -206,13 +194,6 @@ std::uint16_t capacity() {
   while (files.write(1, size, 0, numbered(1)) == msg::FileError::no_free_space)
     size = static_cast<std::uint16_t>(size - page);
   return size;
-}
-
-TEST(Files, ANewBoardHasNone) {
-  Memory memory;
-  const FileSystem files(memory);
-  EXPECT_EQ(files.read(0, 0, 64).error, msg::FileError::file_not_found);
-  EXPECT_EQ(files.size(0), 0);
 }
 
 TEST(Files, APartIsWhatFitsIntoIt) {

@@ -1,5 +1,5 @@
 // Tests of the board's parameters: written values are read back, per profile, also after a restart;
-// and of their effect on the mechanics.
+// of adjustable variables and how long they last, and of their effect on the mechanics.
 
 #include "device/parameters/parameters.hpp"
 
@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <sbgc/meta/all.hpp>
+#include <sbgc/meta/variables.hpp>
 #include <sbgc/validate.hpp>
 
 #include "device/parameters/gimbal_tuning.hpp"
@@ -27,13 +28,6 @@ using emulator::factory_parameters;
 using emulator::Memory;
 
 constexpr std::uint8_t profiles = ParametersOf<msg::ReadParams3>::copies;
-
-template <class M>
-M with_gain(std::uint8_t gain) {
-  M result = factory_parameters<M>(0);
-  result.axes.roll.p = gain;
-  return result;
-}
 
 TEST(Parameters, EveryBodyComesBackBitForBit) {
   Memory memory;
@@ -57,43 +51,10 @@ TEST(Parameters, AreThereAfterAPowerCycle) {
   expect_random(parameters, 1);
 }
 
-TEST(Parameters, SayTheNumberOfTheirProfile) {
-  Memory memory;
-  Parameters parameters(memory);
-  for (std::uint8_t profile = 0; profile < profiles; ++profile) {
-    auto sent = with_gain<msg::ReadParams3>(1);
-    sent.profile_id = 255;  // "the active one"
-    ASSERT_TRUE(parameters.write(profile, sent));
-    EXPECT_EQ(parameters.read<msg::ReadParams3>(profile).profile_id, profile);
-    parameters.select_profile(profile);
-    EXPECT_EQ(parameters.of<msg::ReadParams3>().profile_id, profile);
-  }
-}
-
 void expect_speed(const Parameters& parameters, msg::SerialSpeed speed) {
   EXPECT_EQ(parameters.of<msg::ReadParams3>().serial_speed, speed);
   for (std::uint8_t profile = 0; profile < profiles; ++profile) {
     EXPECT_EQ(parameters.read<msg::ReadParams3>(profile).serial_speed, speed) << int{profile};
-  }
-}
-
-TEST(Parameters, GeneralOnesAreThoseOfAllProfiles) {
-  Memory memory;
-  Parameters parameters(memory);
-  parameters.select_profile(1);
-  const auto gain = parameters.of<msg::ReadParams3>().axes.roll.p;
-  ASSERT_TRUE(parameters.set_variable(msg::VariableId::p_roll, 99));
-  auto sent = with_gain<msg::ReadParams3>(7);
-  sent.serial_speed = msg::SerialSpeed::baud_9600;
-  ASSERT_TRUE(parameters.write(3, sent));
-  expect_speed(parameters, msg::SerialSpeed::baud_9600);
-  EXPECT_EQ(parameters.variable(msg::VariableId::p_roll), 99) << "it is not of the profile written";
-  Parameters restarted(memory);
-  expect_speed(restarted, msg::SerialSpeed::baud_9600);
-  for (std::uint8_t profile = 0; profile < profiles; ++profile) {
-    EXPECT_EQ(restarted.read<msg::ReadParams3>(profile).axes.roll.p, profile == 3 ? 7 : gain);
-    restarted.select_profile(profile);
-    expect_speed(restarted, msg::SerialSpeed::baud_9600);
   }
 }
 
@@ -116,26 +77,6 @@ TEST(Parameters, GeneralOnesAreChangedInAllProfiles) {
   expect_speed(Parameters(memory), msg::SerialSpeed::baud_57600);
 }
 
-TEST(Parameters, WritingTheActiveProfileTakesEffectAtOnce) {
-  Memory memory;
-  Parameters parameters(memory);
-  ASSERT_TRUE(parameters.write(1, with_gain<msg::ReadParams3>(77)));
-  EXPECT_NE(parameters.of<msg::ReadParams3>().axes.roll.p, 77);
-  ASSERT_TRUE(parameters.write(0, with_gain<msg::ReadParams3>(78)));
-  EXPECT_EQ(parameters.of<msg::ReadParams3>().axes.roll.p, 78);
-}
-
-TEST(Parameters, StateOfTheBoardIsKeptButNotObeyed) {
-  Memory memory;
-  Parameters parameters(memory);
-  msg::ReadParams3 sent = parameters.of<msg::ReadParams3>();
-  sent.cur_imu = msg::SelectedImu::frame;
-  sent.cur_profile_id = 4;
-  ASSERT_TRUE(parameters.write(0, sent));
-  EXPECT_EQ(parameters.profile(), 0);
-  EXPECT_EQ(Parameters(memory).read<msg::ReadParams3>(0), sent);
-}
-
 TEST(Parameters, ADamagedRecordIsTheFactorySettings) {
   Memory memory;
   Parameters parameters(memory);
@@ -154,19 +95,6 @@ TEST(Parameters, ADamagedRecordIsTheFactorySettings) {
     const M expected = copy == 0 ? message : with_general_of(parameters.read<M>(0), message);
     EXPECT_EQ(parameters.read<M>(copy), expected);
   });
-}
-
-TEST(Parameters, ARawWriteToTheEepromCountsAtTheNextStart) {
-  Memory other;
-  Parameters(other).write(0, with_gain<msg::ReadParams3>(42));
-  Memory memory;
-  Parameters parameters(memory);
-  ASSERT_TRUE(parameters.write(0, with_gain<msg::ReadParams3>(41)));
-  memory.eeprom = other.eeprom;
-  EXPECT_EQ(parameters.of<msg::ReadParams3>().axes.roll.p, 41);
-  EXPECT_EQ(parameters.read<msg::ReadParams3>(0).axes.roll.p, 41);
-  parameters.reload();
-  EXPECT_EQ(parameters.of<msg::ReadParams3>().axes.roll.p, 42);
 }
 
 TEST(Parameters, AnUnknownActiveProfileIsTheFirst) {
@@ -209,6 +137,80 @@ TEST(Parameters, ErasingLeavesNothing) {
     for (std::uint8_t copy = 0; copy < ParametersOf<M>::copies; ++copy) {
       EXPECT_EQ(parameters.read<M>(copy), factory_parameters<M>(copy));
     }
+  });
+}
+
+TEST(Variables, AreWhatWasSet) {
+  Memory memory;
+  Parameters parameters(memory);
+  const Memory before = memory;
+  std::mt19937 random(7);
+  for (const VariableInfo& variable : variables) {
+    const auto lowest = static_cast<std::int32_t>(variable.range.lowest);
+    const auto highest = static_cast<std::int32_t>(variable.range.highest);
+    for (int i = 0; i < 20; ++i) {
+      const auto width = static_cast<unsigned>(highest - lowest) + 1;
+      const auto value = i == 0   ? lowest
+                         : i == 1 ? highest
+                                  : lowest + static_cast<std::int32_t>(random() % width);
+      ASSERT_TRUE(parameters.set_variable(variable.id, value)) << variable.name << ' ' << value;
+      EXPECT_EQ(parameters.variable(variable.id), value) << variable.name;
+    }
+    EXPECT_FALSE(parameters.set_variable(variable.id, lowest - 1)) << variable.name;
+    EXPECT_FALSE(parameters.set_variable(variable.id, highest + 1)) << variable.name;
+  }
+  EXPECT_EQ(memory, before) << "variables are volatile";
+}
+
+TEST(Variables, ThoseThatThereAreNot) {
+  Memory memory;
+  Parameters parameters(memory);
+  std::set<msg::VariableId> known;
+  for (const VariableInfo& variable : variables) known.insert(variable.id);
+  for (int id = 0; id <= 255; ++id) {
+    const auto variable = static_cast<msg::VariableId>(id);
+    EXPECT_EQ(parameters.variable(variable).has_value(), known.contains(variable)) << id;
+    if (known.contains(variable)) continue;
+    EXPECT_FALSE(parameters.set_variable(variable, 0)) << id;
+  }
+}
+
+TEST(Variables, AChangeOfSettingsSavesNone) {
+  Memory memory;
+  Parameters parameters(memory);
+  const auto change = [](msg::ReadParams3& main) { main.gyro_trust = 12; };
+  const auto original = parameters.variable(msg::VariableId::p_pitch);
+  ASSERT_TRUE(parameters.set_variable(msg::VariableId::p_pitch, 201));
+  ASSERT_TRUE(parameters.set_variable(msg::VariableId::gyro_trust, 250));
+  ASSERT_TRUE(parameters.change<msg::ReadParams3>(0, change));
+  ASSERT_TRUE(parameters.change<msg::ReadParams3>(3, change));
+  EXPECT_EQ(parameters.variable(msg::VariableId::p_pitch), 201);
+  EXPECT_EQ(parameters.variable(msg::VariableId::gyro_trust), 12);
+  EXPECT_EQ(parameters.read<msg::ReadParams3>(3).gyro_trust, 12);
+  const Parameters restarted(memory);
+  EXPECT_EQ(restarted.variable(msg::VariableId::p_pitch), original);
+  EXPECT_EQ(restarted.variable(msg::VariableId::gyro_trust), 12);
+  EXPECT_EQ(restarted.read<msg::ReadParams3>(3).gyro_trust, 12);
+}
+
+TEST(Variables, AreSavedInTheActiveProfileAlone) {
+  Memory memory;
+  Parameters parameters(memory);
+  write_random(parameters, 8);
+  parameters.select_profile(3);
+  ASSERT_TRUE(parameters.set_variable(msg::VariableId::gyro_trust, 33));
+  ASSERT_TRUE(parameters.set_variable(msg::VariableId::lpf_freq_yaw, 77));
+  ASSERT_TRUE(parameters.set_variable(msg::VariableId::pid_gain_yaw, 55));
+  parameters.save();
+  const Parameters restarted(memory);
+  for_each_random(8, [&]<class M>(std::uint8_t copy, M message) {
+    if (copy == 3) {
+      if constexpr (std::is_same_v<M, msg::ReadParams3>) message.gyro_trust = 33;
+      if constexpr (std::is_same_v<M, msg::ReadParamsExt>)
+        message.lpf_freq.yaw = msg::Frequency(77);
+      if constexpr (std::is_same_v<M, msg::ReadParamsExt2>) message.pid_gain.yaw = msg::PidGain(55);
+    }
+    EXPECT_EQ(bytes_of(restarted.read<M>(copy)), bytes_of(message)) << Meta<M>::info.name;
   });
 }
 

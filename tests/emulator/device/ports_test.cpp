@@ -78,15 +78,6 @@ TEST(Ports, AnswersWaitForRoomAndRequestsAfterThem) {
   EXPECT_EQ(answers, 3U) << "nothing is lost";
 }
 
-TEST(Ports, AFrameThatIsNeverCompleteIsGivenUp) {
-  Host host;
-  // The header announces 200 bytes, so the request would be the start of its body.
-  host.send_bytes(Bytes{'>', 41, 200, 241});
-  host.send_bytes(who);
-  EXPECT_THAT(host.listen(milliseconds(90)), IsEmpty());
-  EXPECT_THAT(host.listen(milliseconds(20)), SizeIs(1));
-}
-
 TEST(Ports, AHostThatLeavesIsForgotten) {
   Host host;
   host.send_bytes(times(3, who));
@@ -105,14 +96,6 @@ TEST(Ports, ASilentBoardNeitherHearsNorSpeaks) {
   EXPECT_THAT(host.ask(msg::BoardInfoRequest{}), SizeIs(1));
 }
 
-TEST(Ports, ErrorsOfTheLineAreCounted) {
-  Host host;
-  Bytes damaged = who;
-  damaged.back() ^= 1;
-  host.send_bytes(times(3, damaged));
-  EXPECT_EQ(host.get<msg::RealtimeData3>(msg::RealtimeData3Request{}).serial_error_cnt, 3);
-}
-
 TEST(Ports, WhatNobodyReadsIsLimited) {
   emulator::BoardOptions options;
   options.output_buffer = 100;
@@ -124,48 +107,6 @@ TEST(Ports, WhatNobodyReadsIsLimited) {
     host.board.advance(host.now);
   }
   EXPECT_LE(host.board.output(host.port).size(), options.output_buffer);
-}
-
-TEST(BoardFraming, AnswersEachRequestInItsFraming) {
-  Host host({.firmware = msg::FirmwareVersion(2680)});
-  for (const Framing framing : {Framing::v1, Framing::v2, Framing::v2, Framing::v1}) {
-    host.framing = framing;
-    const Packets answer = host.ask(msg::BoardInfoRequest{});
-    ASSERT_THAT(answer, SizeIs(1));
-    EXPECT_EQ(answer[0].framing, framing);
-  }
-}
-
-TEST(BoardFraming, StreamsInTheFramingOfTheLastRequest) {
-  Host host({.firmware = msg::FirmwareVersion(2680)});
-  host.framing = Framing::v2;
-  host.ask(msg::DataStreamInterval{.cmd_id = msg::CommandFromBoard::realtime_data_3,
-                                   .interval_ms = msg::Milliseconds(10)});
-  for (const Packet& sample : host.listen(milliseconds(100))) {
-    EXPECT_EQ(sample.framing, Framing::v2);
-  }
-  host.framing = Framing::v1;
-  host.ask(msg::BoardInfoRequest{});
-  const Packets samples = host.listen(milliseconds(100));
-  EXPECT_THAT(samples, SizeIs(testing::Ge(5U)));
-  for (const Packet& sample : samples) EXPECT_EQ(sample.framing, Framing::v1);
-}
-
-TEST(BoardFraming, OldFirmwareKnowsOnlyTheFirst) {
-  Host host({.firmware = msg::FirmwareVersion(2679)});
-  host.framing = Framing::v2;
-  EXPECT_THAT(host.ask(msg::BoardInfoRequest{}), IsEmpty());
-  host.framing = Framing::v1;
-  EXPECT_THAT(host.ask(msg::BoardInfoRequest{}), SizeIs(1));
-}
-
-TEST(BoardFraming, BeginsWithTheFirstAfterARestart) {
-  Host host({.firmware = msg::FirmwareVersion(2680)});
-  host.framing = Framing::v2;
-  host.ask(msg::ResetRequest{});
-  host.listen(seconds(2));
-  host.framing = Framing::v1;
-  EXPECT_THAT(host.ask(msg::BoardInfoRequest{}), SizeIs(1));
 }
 
 TEST(BoardFraming, AFullOutputBufferCountsTheBytesOfTheFraming) {

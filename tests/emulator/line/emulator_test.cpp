@@ -1,13 +1,17 @@
 // Tests of a board and its lines: rates, backpressure, restarts, and independence of the number of
-// calls.
+// calls; of motion of the frame and faults that begin and end while it runs.
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <sbgc/codec.hpp>
 #include <sbgc/messages/parameters.hpp>
+#include <sbgc/messages/realtime.hpp>
 #include <sbgc/messages/system.hpp>
 
 #include "emulator_rig.hpp"
@@ -15,12 +19,6 @@
 
 namespace sbgc::emulator::test {
 namespace {
-
-TEST(Emulator, AnswersOverALine) {
-  Bench bench;
-  bench.send(frame_of(msg::BoardInfoRequest{}));
-  EXPECT_EQ(frames_in(bench.listen(milliseconds(100)), msg::CommandFromBoard::board_info), 1U);
-}
 
 TEST(Emulator, TheLineTakesItsTime) {
   EmulatorOptions options;
@@ -278,16 +276,6 @@ TEST(Emulator, ConnectionsHaveFaultsOfTheirOwn) {
   FAIL() << "both lose the same bytes";
 }
 
-TEST(Emulator, UsbHasNoRate) {
-  EmulatorOptions options;
-  options.line.board.baud_rate = 9600;
-  Bench bench(options, true);
-  bench.send(stream_of(20));
-  EXPECT_NEAR(static_cast<double>(
-                  frames_in(bench.listen(seconds(5)), msg::CommandFromBoard::realtime_data_4)),
-              250, 3);
-}
-
 TEST(Emulator, RestartsWhenItIsTold) {
   EmulatorOptions options;
   options.restart_at = milliseconds(1500);
@@ -316,6 +304,79 @@ TEST(Emulator, PortsAreIndependent) {
   for (const std::size_t port : ports) {
     EXPECT_EQ(emulator.to_host(port).empty(), port != ports[2]);
   }
+}
+
+/// The live data that the board sends now.
+msg::RealtimeData4 data_of(Bench& bench) {
+  msg::RealtimeData4 data;
+  bench.send(frame_of(msg::RealtimeData4Request{}));
+  ParserOfAll parser;
+  parser.feed(bench.listen(milliseconds(100)),
+              [&](const Frame& frame) { EXPECT_TRUE(decode(frame.body, data)); });
+  return data;
+}
+
+TEST(EmulatorChange, FaultsOfTheBoardBeginAndEnd) {
+  Bench bench;
+  EmulatorOptions options;
+  options.board.faults.errors.set(msg::SystemError::no_sensor);
+  options.board.faults.i2c_errors = 100;
+  options.board.gimbal.battery = 13.8;
+  bench.emulator.change(options, bench.now);
+  bench.listen(seconds(2));
+  const msg::RealtimeData4 faulty = data_of(bench);
+  EXPECT_TRUE(faulty.system_error.has(msg::SystemError::no_sensor));
+  EXPECT_NEAR(faulty.i2c_error_count, 200, 5) << "counted from the change on";
+  EXPECT_LT(faulty.bat_level.volts(), 14);
+
+  bench.emulator.change({}, bench.now);
+  bench.listen(seconds(2));
+  const msg::RealtimeData4 healthy = data_of(bench);
+  EXPECT_EQ(healthy.system_error.raw(), 0);
+  EXPECT_NEAR(healthy.i2c_error_count, 210, 15) << "a counter does not fall";
+  EXPECT_GT(healthy.bat_level.volts(), 15);
+}
+
+TEST(EmulatorChange, TheFrameMovesAndTheCameraStays) {
+  Bench bench;
+  EmulatorOptions options;
+  options.board.gimbal.frame = {.kind = Disturbance::Kind::vehicle, .strength = 3};
+  bench.emulator.change(options, bench.now);
+  const auto largest = [&](auto angle_of) {
+    double result = 0;
+    for (int i = 0; i < 20; ++i) {
+      bench.listen(milliseconds(100));
+      result = std::max(result, std::abs(angle_of(data_of(bench))));
+    }
+    return result;
+  };
+  const auto frame = [](const msg::RealtimeData4& data) {
+    return data.frame_imu_angle.pitch.degrees();
+  };
+  const auto camera = [](const msg::RealtimeData4& data) { return data.angle.pitch.degrees(); };
+  const double most = largest(frame);
+  EXPECT_GT(most, 1);
+  EXPECT_LT(largest(camera), most / 3);
+  bench.emulator.change({}, bench.now);
+  bench.listen(seconds(1));
+  EXPECT_LT(largest(frame), 0.5);
+}
+
+TEST(EmulatorChange, TheLineLosesBytesFromThenOn) {
+  Bench bench;
+  const auto lost = [&] { return bench.emulator.counters(bench.port, Line::Way::to_host).lost; };
+  bench.send(stream_of(20));
+  bench.listen(seconds(1));
+  EXPECT_EQ(lost(), 0U);
+  EmulatorOptions options;
+  options.line.faults.lost = 0.1;
+  bench.emulator.change(options, bench.now);
+  bench.listen(seconds(1));
+  const std::uint64_t some = lost();
+  EXPECT_GT(some, 100U);
+  bench.emulator.change({}, bench.now);
+  bench.listen(seconds(1));
+  EXPECT_EQ(lost(), some);
 }
 
 TEST(Emulator, CallingMoreOftenChangesNothing) {

@@ -50,16 +50,6 @@ INSTANTIATE_TEST_SUITE_P(Moves, Limits,
                                          Move{3.7, 5, -0.4}, Move{10, 1000, 90}, Move{1, 7, 0.001},
                                          Move{1000, 13, 200}));
 
-TEST(Motion, ThirtyDegreesTakeAboutASecond) {
-  Gimbal gimbal = ready();
-  gimbal.command(pitch, {AxisMode::angle, 0, -30, 0}, ms(1000));
-  const std::int64_t arrived = arrival(gimbal, pitch, 1100, 5000);
-  EXPECT_GT(arrived, 1500);
-  EXPECT_LT(arrived, 2500);
-  EXPECT_EQ(gimbal.sample(ms(5000)).targets.pitch, -30);
-  EXPECT_NEAR(gimbal.sample(ms(5000)).angles.pitch, -30, 0.05);
-}
-
 TEST(Motion, ATargetThatChangesIsFollowedWithinTheLimits) {
   Tuning tuning;
   tuning.axes.yaw.acceleration = 60;
@@ -77,19 +67,6 @@ TEST(Motion, ATargetThatChangesIsFollowedWithinTheLimits) {
   }
 }
 
-TEST(Motion, SpeedGoesOnOverManyTurnsUntilItIsZero) {
-  Gimbal gimbal = ready();
-  gimbal.command(yaw, {AxisMode::speed, 90, 12345, 0}, ms(0));
-  const Sample turning = gimbal.sample(ms(20000));
-  EXPECT_EQ(turning.target_speeds.yaw, 90);
-  EXPECT_NEAR(turning.angles.yaw, 1800, 10);
-  EXPECT_NEAR(turning.speeds.yaw, 90, 0.01);
-  gimbal.command(yaw, {AxisMode::speed, 0, 0, 0}, ms(20000));
-  const Sample halted = gimbal.sample(ms(21000));
-  EXPECT_EQ(halted.target_speeds.yaw, 0);
-  EXPECT_EQ(gimbal.sample(ms(30000)).targets.yaw, halted.targets.yaw);
-}
-
 TEST(Motion, AngleMeansTheNearestModuloFourTurns) {
   Gimbal gimbal = ready();
   gimbal.place({0, 0, 700}, ms(0));
@@ -97,27 +74,6 @@ TEST(Motion, AngleMeansTheNearestModuloFourTurns) {
   EXPECT_EQ(gimbal.sample(ms(3000)).targets.yaw, 730);
   gimbal.command(yaw, {AxisMode::angle, 400, 10, 0}, ms(3000));  // not the shorter way to 730 - 360
   EXPECT_EQ(gimbal.sample(ms(10000)).targets.yaw, 10);
-}
-
-TEST(Motion, RelativeAngleUnwindsAllTurns) {
-  Gimbal gimbal = ready();
-  gimbal.command(yaw, {AxisMode::speed, 120, 0, 0}, ms(0));
-  gimbal.command(yaw, {AxisMode::speed, 0, 0, 0}, ms(6000));
-  EXPECT_NEAR(gimbal.sample(ms(8000)).joints.yaw, 720, 20);
-  gimbal.command(yaw, {AxisMode::relative_angle, 180, 0, 0}, ms(8000));
-  const Sample sample = gimbal.sample(ms(20000));
-  EXPECT_NEAR(sample.joints.yaw, 0, 0.05);
-  EXPECT_EQ(sample.target_speeds.yaw, 0);
-}
-
-TEST(Motion, RelativeAngleCountsFromTheFrame) {
-  Gimbal::Options options = quiet();
-  options.frame = {Disturbance::Kind::recorded, 1, {{ms(0), {5, -8, 100}}}};
-  Gimbal gimbal = ready(options);
-  gimbal.command(yaw, {AxisMode::relative_angle, 0, 25, 0}, ms(0));
-  const Sample sample = gimbal.sample(ms(10000));
-  EXPECT_NEAR(sample.joints.yaw, 25, 0.05);
-  EXPECT_NEAR(sample.angles.yaw, 125, 0.05);
 }
 
 TEST(Motion, SpeedAngleFollowsAnglesThatComeInSteps) {
@@ -135,76 +91,6 @@ TEST(Motion, SpeedAngleFollowsAnglesThatComeInSteps) {
   EXPECT_EQ(sample.target_speeds.pitch, 0);
 }
 
-TEST(Motion, TheSpeedOfSpeedAngleLeadsForAWhile) {
-  Gimbal gimbal = ready();
-  gimbal.command(yaw, {AxisMode::speed_angle, 20, 10, 0}, ms(0));
-  EXPECT_GT(gimbal.sample(ms(480)).targets.yaw, 11) << "it is ahead of the angle";
-  EXPECT_EQ(gimbal.sample(ms(3000)).targets.yaw, 10);
-  gimbal.command(yaw, {AxisMode::speed_angle, -20, 10, 0}, ms(3000));
-  EXPECT_LT(gimbal.sample(ms(3480)).targets.yaw, 9);
-  EXPECT_EQ(gimbal.sample(ms(6000)).targets.yaw, 10);
-}
-
-TEST(Motion, SpeedAngleWithoutSpeedGoesToTheAngle) {
-  Gimbal gimbal = ready();
-  gimbal.command(roll, {AxisMode::speed_angle, 0, 12, 0}, ms(0));
-  EXPECT_EQ(gimbal.sample(ms(3000)).targets.roll, 12);
-  EXPECT_EQ(gimbal.sample(ms(3000)).target_speeds.roll, 0);
-}
-
-TEST(Motion, SignalsAreAnglesBetweenTheirEnds) {
-  Tuning tuning;
-  tuning.axes.pitch.remote_min = -90;
-  tuning.axes.pitch.remote_max = 30;
-  Gimbal gimbal = ready(quiet(), tuning);
-  gimbal.command(pitch, {AxisMode::signal, 0, 0, -1}, ms(0));
-  EXPECT_EQ(gimbal.sample(ms(5000)).targets.pitch, -90);
-  gimbal.command(pitch, {AxisMode::signal, 0, 0, 0}, ms(5000));
-  EXPECT_EQ(gimbal.sample(ms(10000)).targets.pitch, -30);
-  // The receiver's signal takes effect when no command controls the axis.
-  gimbal.set_remote(pitch, 1.0, ms(10000));
-  EXPECT_EQ(gimbal.sample(ms(12000)).targets.pitch, -30);
-  gimbal.command(pitch, {}, ms(12000));
-  EXPECT_EQ(gimbal.sample(ms(17000)).targets.pitch, 30);
-}
-
-TEST(Motion, SignalsAreSpeedsIfTheSettingsSaySo) {
-  Tuning tuning;
-  tuning.axes.yaw.remote_is_speed = true;
-  tuning.axes.yaw.remote_speed = 40;
-  Gimbal gimbal = ready(quiet(), tuning);
-  gimbal.set_remote(yaw, 0.5, ms(0));
-  EXPECT_EQ(gimbal.sample(ms(2000)).target_speeds.yaw, 20);
-  gimbal.set_remote(yaw, {}, ms(2000));
-  EXPECT_EQ(gimbal.sample(ms(3000)).target_speeds.yaw, 0);
-  EXPECT_NEAR(gimbal.sample(ms(3000)).targets.yaw, 40, 1);
-}
-
-TEST(Motion, WithoutASignalTheAxisHoldsItsTarget) {
-  Gimbal gimbal = ready();
-  gimbal.command(pitch, {AxisMode::angle, 0, 20, 0}, ms(0));
-  gimbal.command(pitch, {}, ms(2000));
-  EXPECT_EQ(gimbal.sample(ms(9000)).targets.pitch, 20);
-}
-
-TEST(Motion, StartsAtTheStartAngles) {
-  Tuning tuning;
-  tuning.axes.pitch.start_angle = -15;
-  Gimbal gimbal(quiet(), ms(0));
-  gimbal.tune(tuning, ms(0));
-  EXPECT_EQ(gimbal.sample(ms(1000)).angles.pitch, 0);
-  gimbal.set_motors(true, ms(1000));
-  EXPECT_EQ(gimbal.sample(ms(3000)).targets.pitch, -15);
-
-  gimbal.command(pitch, {AxisMode::angle, 0, 40, 0}, ms(3000));
-  gimbal.restart(ms(6000));
-  EXPECT_FALSE(gimbal.motors_on());
-  EXPECT_NEAR(gimbal.sample(ms(7000)).angles.pitch, 40, 0.1);
-  EXPECT_EQ(gimbal.command(pitch).mode, AxisMode::remote);
-  gimbal.set_motors(true, ms(7000));
-  EXPECT_EQ(gimbal.sample(ms(12000)).targets.pitch, -15);
-}
-
 TEST(Motion, ARestartForgetsWholeTurnsOfTheJoints) {
   Gimbal gimbal = ready();
   gimbal.place({0, 0, 730}, ms(0));
@@ -212,15 +98,6 @@ TEST(Motion, ARestartForgetsWholeTurnsOfTheJoints) {
   gimbal.restart(ms(100));
   EXPECT_NEAR(gimbal.sample(ms(100)).joints.yaw, 10, 0.1);
   EXPECT_NEAR(gimbal.sample(ms(100)).angles.yaw, 10, 0.1);
-}
-
-TEST(Motion, PlacedCamerasStay) {
-  Gimbal gimbal = ready();
-  gimbal.command(yaw, {AxisMode::speed, 50, 0, 0}, ms(0));
-  gimbal.place({1, 2, 3}, ms(1000));
-  EXPECT_EQ(gimbal.sample(ms(1000)).angles, (Axes<double>{1, 2, 3}));
-  EXPECT_EQ(gimbal.sample(ms(1000)).targets, (Axes<double>{1, 2, 3}));
-  EXPECT_EQ(gimbal.sample(ms(5000)).targets, (Axes<double>{1, 2, 3}));
 }
 
 /// A tuning with limits of the yaw joint.
@@ -358,13 +235,6 @@ TEST(Follow, AnAngleThatIsToldReplacesTheFrame) {
   gimbal.restart(ms(16000));
   gimbal.set_motors(true, ms(16000));
   EXPECT_NEAR(gimbal.sample(ms(20000)).joints.yaw, 0, 0.1) << "it has forgotten that";
-}
-
-TEST(Follow, WithoutItTheCameraStays) {
-  Gimbal gimbal = ready(turning_frame());
-  const Sample sample = gimbal.sample(ms(15000));
-  EXPECT_NEAR(sample.angles.yaw, 0, 0.05);
-  EXPECT_NEAR(sample.joints.yaw, -60, 0.05);
 }
 
 TEST(Follow, LimitsOfAccelerationHoldForBothWaysTogether) {

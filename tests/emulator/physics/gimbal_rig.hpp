@@ -46,16 +46,4 @@ inline double worst_error(Gimbal& gimbal, std::int64_t from, std::int64_t until)
   return worst;
 }
 
-/// Returns the first time, sampled every 4 ms, at which the target of the axis has been at rest for
-/// 40 ms; -1 if there is none.
-inline std::int64_t arrival(Gimbal& gimbal, std::size_t axis, std::int64_t from,
-                            std::int64_t until) {
-  int still = 0;
-  for (std::int64_t t = from; t < until; t += 4) {
-    still = gimbal.sample(ms(t)).target_speeds[axis] == 0 ? still + 1 : 0;
-    if (still == 10) return t - 36;
-  }
-  return -1;
-}
-
 }  // namespace sbgc::emulator::test

@@ -60,14 +60,17 @@ def restore_sighup() -> None:
 class Emulator:
     """sbgc emulate, running until the with block ends. `places` are the addresses of its boards."""
 
-    def __init__(self, *arguments: str, boards: int = 1, places: int = 1) -> None:
-        self.process = subprocess.Popen(
-            [PROGRAM, "emulate", *arguments],
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE,
-            preexec_fn=restore_sighup,
-        )
+    def __init__(
+        self, *arguments: str, boards: int = 1, places: int = 1, stderr: Optional[str] = None
+    ) -> None:
+        with open(stderr or os.devnull, "w", encoding="utf-8") as error:
+            self.process = subprocess.Popen(
+                [PROGRAM, "emulate", *arguments],
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.PIPE,
+                stderr=error if stderr else subprocess.PIPE,
+                preexec_fn=restore_sighup,
+            )
         assert self.process.stdout is not None
         self.places: list[str] = []
         self.lines: list[Line] = []
@@ -113,7 +116,7 @@ class Emulator:
     def wait(self) -> int:
         out, error = self.process.communicate(timeout=PATIENCE)
         self.rest = out.decode()
-        self.error = error.decode()
+        self.error = (error or b"").decode()
         assert not CRASH.search(self.error), self.error
         return self.process.returncode
 
@@ -156,10 +159,10 @@ class Line:
             self.receive(max(0.0, end - time.monotonic()))
         raise AssertionError(f"no frame {command}; heard {self.heard.hex()}")
 
-    def ask(self, command: int, body: bytes = b"", seconds: float = PATIENCE) -> bytes:
+    def ask(self, command: int, body: bytes = b"", answer: Optional[int] = None) -> bytes:
         self.heard = b""
         self.send(command, body)
-        return self.body(command, seconds)
+        return self.body(command if answer is None else answer)
 
 
 class Terminal(Line):

@@ -18,7 +18,6 @@ from emulator import (
     DATA_STREAM_INTERVAL,
     PATIENCE,
     REALTIME_DATA_4,
-    Connection,
     Emulator,
     Terminal,
     refused,
@@ -27,37 +26,39 @@ from emulator import (
 from sbgc_command import frame
 
 
-def test_tcp_has_several_hosts() -> None:
+@pytest.mark.parametrize("protocol", ["tcp", "udp"])
+def test_a_stream_goes_only_to_the_host_that_requested_it(protocol: str) -> None:
+    with Emulator(f"--{protocol}", "0") as emulator:
+        assert emulator.places[0].startswith(f"{protocol}:127.0.0.1:")
+        host, other = emulator.host(), emulator.host()
+        assert other.ask(BOARD_INFO)
+        host.ask(DATA_STREAM_INTERVAL, stream(20), answer=REALTIME_DATA_4)
+        assert not other.receive(0.2)
+
+
+def test_a_ninth_host_is_refused_until_another_leaves() -> None:
     with Emulator("--tcp", "0") as emulator:
-        (place,) = emulator.places
-        assert place.startswith("tcp:127.0.0.1:")
         hosts = [emulator.host() for _ in range(8)]
         for host in hosts:
-            host.send(BOARD_INFO)
-        for host in hosts:
-            assert len(host.body(BOARD_INFO)) == 18
-        # A stream goes only to the host that requested it.
-        hosts[0].send(DATA_STREAM_INTERVAL, stream(20))
-        hosts[0].body(REALTIME_DATA_4)
-        hosts[1].heard = b""
-        assert not hosts[1].receive(0.2)
-        # A ninth host is refused until one of the others leaves.
-        ninth = emulator.host()
-        assert ninth.is_refused()
-        ninth.close()
+            assert len(host.ask(BOARD_INFO)) == 18
+        for _ in range(100):
+            ninth = emulator.host()
+            assert ninth.is_refused()
+            ninth.close()
         hosts[3].close()
         end = time.monotonic() + PATIENCE
         while True:
-            another = Connection(place)
+            another = emulator.host()
             another.send(BOARD_INFO)
             if another.receive(PATIENCE):
                 break
             another.close()  # the port is kept for a moment
             assert time.monotonic() < end
             time.sleep(0.05)
-        another.close()
         emulator.end()
-        assert "refused: all 8 places for TCP are in use" in emulator.error
+    # That does not fill the log.
+    assert 5 <= emulator.error.count("refused: all 8 places for TCP are in use") < 50
+    assert "further refusals in this second are not reported" in emulator.error
 
 
 def timer_of(place: str) -> list[str]:
@@ -72,53 +73,28 @@ def timer_of(place: str) -> list[str]:
     return timer_of_it
 
 
-HTTP_REQUEST = b"POST / HTTP/1.1\r\nHost: localhost\r\nContent-Length: 6\r\n\r\n"
-TLS_HANDSHAKE = b"\x16\x03\x01\x02\x00\x01\x00\x01\xfc"
+POST = b"POST / HTTP/1.1\r\nHost: localhost\r\nContent-Length: 6\r\n\r\n"
+TLS = b"\x16\x03\x01\x02\x00\x01\x00\x01\xfc"
+NOISE = (b"G", b"\x16\x02\x03", b"GET", b"POSE ", b"DELET\x00")
+FIRST = [(POST[:split], POST[split:], False) for split in (len(POST), 1, 3, 5)]
+FIRST += [(TLS, b"", False), (TLS[:1], TLS[1:], False)]
+FIRST += [(noise, b"", True) for noise in NOISE]
 
 
-@pytest.mark.parametrize(
-    ("request_of_page", "split"),
-    [(HTTP_REQUEST, split) for split in (len(HTTP_REQUEST), 1, 3, 5)]
-    + [(TLS_HANDSHAKE, split) for split in (len(TLS_HANDSHAKE), 1)],
-)
-def test_a_web_page_is_no_host(request_of_page: bytes, split: int) -> None:
+@pytest.mark.parametrize(("first", "then", "is_host"), FIRST)
+def test_a_web_page_is_no_host(first: bytes, then: bytes, is_host: bool) -> None:
     """A browser sends frames in the body of a request, because a web page tells it to."""
     with Emulator("--tcp", "0") as emulator:
-        page = emulator.host()
-        page.socket.settimeout(PATIENCE)
-        page.socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-        try:
-            page.socket.sendall(request_of_page[:split])
-            time.sleep(0.02)  # so that the parts arrive one by one
-            page.socket.sendall(request_of_page[split:] + frame(BOARD_INFO))
-            assert page.socket.recv(1) == b""
-        except ConnectionError:
-            pass  # closed before it has sent all
-
-
-def test_refused_hosts_do_not_fill_the_log() -> None:
-    with Emulator("--tcp", "0") as emulator:
-        hosts = [emulator.host() for _ in range(8)]
-        for host in hosts:
-            host.send(BOARD_INFO)
-            assert len(host.body(BOARD_INFO)) == 18
-        for _ in range(100):
-            refused_host = emulator.host()
-            assert refused_host.is_refused()
-            refused_host.close()
-        emulator.end()
-    assert 5 <= emulator.error.count("refused: all 8 places for TCP") < 50
-    assert "further refusals in this second are not reported" in emulator.error
-
-
-@pytest.mark.parametrize("noise", [b"G", b"\x16\x02\x03", b"GET", b"POSE ", b"DELET\x00"])
-def test_noise_is_no_web_page(noise: bytes) -> None:
-    with Emulator("--tcp", "0") as emulator:
         host = emulator.host()
-        host.socket.sendall(noise)
-        time.sleep(0.02)
-        host.send(BOARD_INFO)
-        assert len(host.body(BOARD_INFO)) == 18
+        host.socket.settimeout(PATIENCE)
+        host.socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        try:
+            host.socket.sendall(first)
+            time.sleep(0.02)  # so that the parts arrive one by one
+            host.socket.sendall(then + frame(BOARD_INFO))
+            assert is_host == bool(host.socket.recv(1))
+        except ConnectionError:
+            assert not is_host  # closed before it has sent all
 
 
 def test_tcp_hosts_that_vanish_are_noticed() -> None:
@@ -154,19 +130,6 @@ def test_tcp_host_that_sends_its_end_with_its_requests() -> None:
         while host.receive(PATIENCE):
             pass
         assert len(host.heard) == 20 * 74
-
-
-def test_udp_has_several_hosts() -> None:
-    with Emulator("--udp", "0") as emulator:
-        (place,) = emulator.places
-        assert place.startswith("udp:127.0.0.1:")
-        hosts = [emulator.host(), emulator.host()]
-        for host in hosts:
-            assert len(host.ask(BOARD_INFO)) == 18
-        hosts[0].send(DATA_STREAM_INTERVAL, stream(20))
-        hosts[0].body(REALTIME_DATA_4)
-        hosts[1].heard = b""
-        assert not hosts[1].receive(0.2)
 
 
 def test_udp_leaves_places_for_tcp() -> None:

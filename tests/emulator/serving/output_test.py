@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import fcntl
 import os
-import pty
 import re
 import signal
 import subprocess
@@ -19,7 +18,6 @@ from emulator import (
     CONFIRM,
     DATA_STREAM_INTERVAL,
     PATIENCE,
-    Connection,
     Emulator,
     Terminal,
     stream,
@@ -60,53 +58,6 @@ def test_a_reader_of_its_output_that_goes_away(tmp_path: Path) -> None:
     assert not link.is_symlink()
 
 
-def ask_often(host: Connection) -> None:
-    """Sends requests for more lines than the reader's pipe or terminal holds; all get a response."""
-    at_once = 400  # read at once: a stall within a frame would discard it
-    for _ in range(3):
-        host.heard = b""
-        os.write(host.fd, frame(BOARD_INFO) * at_once)
-        while len(host.heard) < 23 * at_once:
-            assert host.receive(PATIENCE)
-
-
-@pytest.mark.parametrize("kind", ["pipe", "terminal"])
-def test_a_reader_of_its_output_that_stalls(kind: str) -> None:
-    reader, out = os.pipe() if kind == "pipe" else pty.openpty()
-    process = subprocess.Popen(
-        [PROGRAM, "emulate", "--tcp", "0", "--verbose"],
-        stdout=out,
-        stderr=subprocess.PIPE,
-    )
-    try:
-        line = b""
-        while not line.endswith(b"\n"):
-            line += os.read(reader, 4096)
-        host = Connection(line.decode().strip().partition(": ")[2])
-        ask_often(host)
-        ask_often(host)
-        # Omitted lines are reported when there is space again.
-        lines = os.read(reader, 65536)
-        end = time.monotonic() + PATIENCE
-        while b"lines dropped" not in lines:
-            assert time.monotonic() < end
-            host.ask(BOARD_INFO)
-            lines += os.read(reader, 65536)
-        for line in lines.splitlines()[:-1]:
-            assert b" CMD_BOARD_INFO (86), " in line or b"dropped" in line or b"is host" in line
-        # It exits even if its output is not read.
-        ask_often(host)
-        process.terminate()
-        assert process.wait(PATIENCE) == 0
-        assert process.stderr is not None and process.stderr.read() == b""
-        host.close()
-    finally:
-        process.kill()
-        process.communicate()
-        os.close(reader)
-        os.close(out)
-
-
 def test_a_reader_of_its_warnings_that_stalls() -> None:
     with Emulator("--tcp", "0") as emulator:
         assert emulator.process.stderr is not None
@@ -124,22 +75,12 @@ def test_a_reader_of_its_warnings_that_stalls() -> None:
 
 
 def test_warnings_that_cannot_be_written() -> None:
-    with open("/dev/full", "w", encoding="utf-8") as full:
-        process = subprocess.Popen(
-            [PROGRAM, "emulate", "--tcp", "0"], stdout=subprocess.PIPE, stderr=full
-        )
-    assert process.stdout is not None
-    place = process.stdout.readline().decode().strip().partition(": ")[2]
-    hosts = [Connection(place) for _ in range(9)]
-    for host in hosts[:8]:
-        assert host.ask(BOARD_INFO)
-    assert hosts[8].is_refused()  # refused, which prints a warning
-    assert hosts[0].ask(BOARD_INFO)
-    for host in hosts:
-        host.close()
-    process.terminate()
-    assert process.wait(PATIENCE) == 0
-    process.stdout.close()
+    with Emulator("--tcp", "0", stderr="/dev/full") as emulator:
+        hosts = [emulator.host() for _ in range(8)]
+        for host in hosts:
+            assert host.ask(BOARD_INFO)
+        assert emulator.host().is_refused()  # which prints a warning
+        assert hosts[0].ask(BOARD_INFO)
 
 
 def test_an_example_whose_output_stalls(tmp_path: Path) -> None:
@@ -152,13 +93,7 @@ def test_an_example_whose_output_stalls(tmp_path: Path) -> None:
     ) as output:
         place = emulator.places[0]
         assert run("motors", "off", "--yes", "-p", place).status == 0
-        arguments = [
-            tour,
-            place,
-            str(tmp_path / "capture"),
-            str(tmp_path / "backup"),
-            "--yes",
-        ]
+        arguments = [tour, place, str(tmp_path / "capture"), str(tmp_path / "backup"), "--yes"]
         process = subprocess.Popen(arguments, stdout=output.descriptor)
         try:
             shown = b""
@@ -175,32 +110,15 @@ def test_an_example_whose_output_stalls(tmp_path: Path) -> None:
             process.kill()
         emulator.end()
         requests = re.findall(r"> (CMD_(?:CONTROL|MOTORS)\w*)", emulator.rest)
-        assert requests[-3:] == [
-            "CMD_MOTORS_ON",
-            "CMD_CONTROL",
-            "CMD_MOTORS_OFF",
-        ], requests
+        assert requests[-3:] == ["CMD_MOTORS_ON", "CMD_CONTROL", "CMD_MOTORS_OFF"], requests
 
 
 def test_standard_input_and_output(tmp_path: Path) -> None:
-    done = subprocess.run(
-        [PROGRAM, "emulate", "--stdio", "--verbose"],
-        input=frame(BOARD_INFO) + frame(BOARD_INFO_3),
-        capture_output=True,
-        timeout=PATIENCE,
-        check=False,
-    )
-    assert done.returncode == 0, done.stderr
-    assert done.stdout[:2] == bytes([0x3E, BOARD_INFO])
-    assert bytes([0x3E, BOARD_INFO_3, 69]) in done.stdout
-    assert b"emulated gimbal 1: standard input and output" in done.stderr
-    assert b"CMD_BOARD_INFO" in done.stderr
-
-    # Regular files work as well.
-    (tmp_path / "in").write_bytes(frame(BOARD_INFO))
+    """Regular files."""
+    (tmp_path / "in").write_bytes(frame(BOARD_INFO) + frame(BOARD_INFO_3))
     with open(tmp_path / "in", "rb") as source, open(tmp_path / "out", "wb") as sink:
         done = subprocess.run(
-            [PROGRAM, "emulate", "--stdio"],
+            [PROGRAM, "emulate", "--stdio", "--verbose"],
             stdin=source,
             stdout=sink,
             stderr=subprocess.PIPE,
@@ -208,7 +126,11 @@ def test_standard_input_and_output(tmp_path: Path) -> None:
             check=False,
         )
     assert done.returncode == 0, done.stderr
-    assert (tmp_path / "out").read_bytes()[:2] == bytes([0x3E, BOARD_INFO])
+    answers = (tmp_path / "out").read_bytes()
+    assert answers[:2] == bytes([0x3E, BOARD_INFO])
+    assert bytes([0x3E, BOARD_INFO_3, 69]) in answers
+    assert b"emulated gimbal 1: standard input and output" in done.stderr
+    assert b"CMD_BOARD_INFO" in done.stderr
 
 
 def test_standard_input_that_ends_before_the_answers() -> None:

@@ -22,29 +22,33 @@ from emulator import (
 )
 
 
-def open_line(place: str) -> Line:
-    return Connection(place) if place.startswith("tcp:") else Terminal(str(terminal_of(place)))
+def board_of(state: Path, *options: str) -> Emulator:
+    where = () if "--pty" in options else ("--tcp", "0")
+    return Emulator(*where, "--state", str(state), *options)
+
+
+def write(line: Line, data: bytes) -> None:
+    """Writes, and waits until it is confirmed."""
+    line.ask(WRITE_EXTERNAL_DATA, data, answer=CONFIRM)
 
 
 def test_state_survives(tmp_path: Path) -> None:
     state = tmp_path / "state"
     data = bytes(range(128))
-    with Emulator("--tcp", "0", "--state", str(state)) as emulator:
+    with board_of(state) as emulator:
         host = emulator.host()
         serial = host.ask(BOARD_INFO_3)[:21]
-        host.send(WRITE_EXTERNAL_DATA, data)
-        host.body(CONFIRM)
+        write(host, data)
         emulator.process.kill()
         emulator.wait()
-    with Emulator("--tcp", "0", "--state", str(state)) as emulator:
+    with board_of(state) as emulator:
         host = emulator.host()
         assert host.ask(READ_EXTERNAL_DATA) == data
         assert host.ask(BOARD_INFO_3)[:21] == serial
         # Changes just before the exit are saved, too.
-        host.send(WRITE_EXTERNAL_DATA, data[::-1])
-        host.body(CONFIRM)
+        write(host, data[::-1])
         assert emulator.end() == 0
-    with Emulator("--tcp", "0", "--state", str(state)) as emulator:
+    with board_of(state) as emulator:
         host = emulator.host()
         assert host.ask(READ_EXTERNAL_DATA) == data[::-1]
     assert list(tmp_path.iterdir()) == [state]
@@ -63,9 +67,10 @@ def test_what_is_confirmed_is_on_the_disk(tmp_path: Path) -> None:
     before = b"\xff" * 128
     for number in range(30):
         data = bytes([number]) * 128
-        where = ["--pty"] if number % 2 == 0 else ["--tcp", "0"]
-        with Emulator(*where, "--state", str(state)) as emulator:
-            line = open_line(emulator.places[0])
+        options = ["--pty"] if number % 2 == 0 else []
+        with board_of(state, *options) as emulator:
+            place = emulator.places[0]
+            line: Line = Terminal(str(terminal_of(place))) if options else Connection(place)
             assert line.ask(READ_EXTERNAL_DATA) == before
             for value in (before[::-1], before, data):
                 line.send(WRITE_EXTERNAL_DATA, value)
@@ -77,33 +82,18 @@ def test_what_is_confirmed_is_on_the_disk(tmp_path: Path) -> None:
             emulator.wait()
             line.close()
         before = data
-    with Emulator("--tcp", "0", "--state", str(state)) as emulator:
-        assert sorted(path.name for path in tmp_path.iterdir()) == [
-            "state",
-            "state.sbgc-lock",
-        ]
+    with board_of(state):
+        assert {path.name for path in tmp_path.iterdir()} == {"state", "state.sbgc-lock"}
     assert list(tmp_path.iterdir()) == [state]
 
 
 def test_what_a_killed_one_leaves_is_removed(tmp_path: Path) -> None:
     state = tmp_path / "state"
-    left = [
-        tmp_path / "state.17-0.sbgc-tmp",
-        tmp_path / f"backup.json.{os.getpid()}-23.sbgc-tmp",
-    ]
-    others = [
-        tmp_path / name
-        for name in (
-            "state.17-0.sbgc-tmp.bak",
-            "state.17-x.sbgc-tmp",
-            "state.17-.sbgc-tmp",
-            "state.sbgc-tmp",
-            "state.-3.sbgc-tmp",
-            "state-2.sbgc-tmp",
-            "state.17-0.tmp",
-            "state.18-0.sbgc-tmp",
-        )
-    ]
+    left = [tmp_path / "state.17-0.sbgc-tmp"]
+    left += [tmp_path / f"backup.json.{os.getpid()}-23.sbgc-tmp"]
+    names = """state.17-0.sbgc-tmp.bak state.17-x.sbgc-tmp state.17-.sbgc-tmp state.sbgc-tmp
+        state.-3.sbgc-tmp state-2.sbgc-tmp state.17-0.tmp state.18-0.sbgc-tmp"""
+    others = [tmp_path / name for name in names.split()]
     for file in left + others:
         file.write_text("half of it")
     (tmp_path / "state.19-0.sbgc-tmp").symlink_to("state.17-0.tmp")
@@ -111,7 +101,7 @@ def test_what_a_killed_one_leaves_is_removed(tmp_path: Path) -> None:
     others += [tmp_path / "state.19-0.sbgc-tmp", tmp_path / "state.20-0.sbgc-tmp"]
     with open(tmp_path / "state.18-0.sbgc-tmp") as at_work:
         fcntl.flock(at_work, fcntl.LOCK_EX)
-        with Emulator("--tcp", "0", "--state", str(state)):
+        with board_of(state):
             pass
     assert sorted(tmp_path.iterdir()) == sorted([state, *others])
 
@@ -120,11 +110,11 @@ def test_a_state_is_of_one_emulator_at_a_time(tmp_path: Path) -> None:
     state = tmp_path / "state"
     link = tmp_path / "link"
     link.symlink_to("state")
-    with Emulator("--tcp", "0", "--state", str(link)):
+    with board_of(link):
         assert link.is_symlink() and state.is_file()
         for name in (state, link):
             assert f"{name} is in use by another emulator" in refused("--state", str(name))
-    with Emulator("--tcp", "0", "--state", str(state)):
+    with board_of(state):
         pass
     assert sorted(tmp_path.iterdir()) == [link, state]
 
@@ -141,7 +131,7 @@ def test_a_file_that_has_the_name_of_the_lock_is_left_alone(tmp_path: Path) -> N
     assert list(tmp_path.iterdir()) == [lock]
     lock.unlink()
     lock.touch()  # left behind by an emulator that was killed
-    with Emulator("--tcp", "0", "--state", str(state)):
+    with board_of(state):
         lock.unlink()
         lock.write_text("mine")  # replaced meanwhile
     assert lock.read_text() == "mine"
@@ -150,9 +140,9 @@ def test_a_file_that_has_the_name_of_the_lock_is_left_alone(tmp_path: Path) -> N
 def test_a_state_keeps_its_mode(tmp_path: Path) -> None:
     state = tmp_path / "state"
     for mode in (0o644, 0o600, 0o660):
-        with Emulator("--tcp", "0", "--state", str(state)):
+        with board_of(state):
             state.chmod(mode)
-        with Emulator("--tcp", "0", "--state", str(state)):  # which is written immediately
+        with board_of(state):  # which is written immediately
             pass
         assert state.stat().st_mode & 0o7777 == mode
 
@@ -169,7 +159,7 @@ def test_a_state_that_cannot_be_used(tmp_path: Path) -> None:
 def test_a_state_that_cannot_be_saved_any_more(tmp_path: Path) -> None:
     folder = tmp_path / "folder"
     folder.mkdir()
-    with Emulator("--tcp", "0", "--state", str(folder / "state")) as emulator:
+    with board_of(folder / "state") as emulator:
         folder.rename(tmp_path / "elsewhere")
         host = emulator.host()
         host.send(WRITE_EXTERNAL_DATA, bytes(range(128)))
@@ -183,21 +173,11 @@ def test_a_state_that_cannot_be_saved_any_more(tmp_path: Path) -> None:
 
 
 def test_board_and_firmware(tmp_path: Path) -> None:
-    state = ["--state", str(tmp_path / "state")]
-    # The state identifies its board.
-    for model in (["--firmware", "2.43b9", "--board", "3.1"], []):
-        with Emulator("--tcp", "0", *state, *model) as emulator:
-            host = emulator.host()
-            info = host.ask(BOARD_INFO)
-            assert info[0] == 31
-            assert int.from_bytes(info[1:3], "little") == 2439
-    # Options that are given must match the state; others may be omitted.
-    for model in (["--firmware", "2.43b9"], ["--board", "3.1"]):
-        with Emulator("--tcp", "0", *state, *model):
-            pass
-    for model in (
-        ["--firmware", "2.59"],
-        ["--board", "3.0"],
-        ["--firmware", "2.59", "--board", "3.1"],
-    ):
-        assert "firmware 2.43b9, not of" in refused(*state, *model)
+    state = tmp_path / "state"
+    # The state identifies its board. Options that are given must match it; others may be omitted.
+    for model in ("--firmware 2.43b9 --board 3.1", "", "--firmware 2.43b9", "--board 3.1"):
+        with board_of(state, *model.split()) as emulator:
+            info = emulator.host().ask(BOARD_INFO)
+            assert info[0] == 31 and int.from_bytes(info[1:3], "little") == 2439
+    for model in ("--firmware 2.59", "--board 3.0", "--firmware 2.59 --board 3.1"):
+        assert "firmware 2.43b9, not of" in refused("--state", str(state), *model.split())
