@@ -4,20 +4,16 @@
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import fs from "node:fs";
-import { createRequire } from "node:module";
 import os from "node:os";
 import path from "node:path";
-import { after, before, test } from "node:test";
+import { after, test } from "node:test";
 import vm from "node:vm";
 
-import { addressOf, launch, loadModule, model, pages, root, sbgc, site } from "./support.mjs";
+import { axeProblems, visit } from "./browsing.mjs";
+import { addressOf, launch, messagesModule, model, pages, root, runPython, sbgc, site, startModule } from "./support.mjs";
 
-let browser;
-let wasm;
-before(async () => {
-  wasm = await loadModule();
-  browser = await launch();
-});
+const { call } = await startModule(messagesModule());
+const browser = await launch();
 after(() => browser.close());
 
 /** The messages with a builder: their pages, and the frames of their examples. */
@@ -32,14 +28,7 @@ const examples = pages()
   .filter(({ name }) => name !== undefined);
 
 /** What the module makes of the values of a form. */
-function build(name, frame, lines) {
-  const input = Buffer.from([name, frame, ...lines].join("\n"));
-  const pointer = wasm.input(input.length);
-  new Uint8Array(wasm.memory.buffer, pointer, input.length).set(input);
-  wasm.build();
-  const output = new Uint8Array(wasm.memory.buffer, wasm.output(), wasm.output_size());
-  return JSON.parse(new TextDecoder().decode(output));
-}
+const build = (name, frame, lines) => JSON.parse(call("build", Buffer.from([name, frame, ...lines].join("\n"))));
 
 const settings = (lines) => lines.map(([field, text]) => `${field}=${text}`);
 const leavesOf = (fields) => fields.flatMap((field) => (field.fields ? leavesOf(field.fields) : [field]));
@@ -130,10 +119,7 @@ function codes() {
 test("the code in Python makes the same frames, most of them without text", () => {
   const wanted = codes();
   const program = wanted.map(({ python }) => `${python}\nprint(frame.hex())`).join("\n");
-  const PYTHONPATH = path.resolve(path.dirname(sbgc), "../python");
-  const ran = spawnSync("/usr/bin/python3", ["-"], { input: program, env: { ...process.env, PYTHONPATH } });
-  assert.equal(ran.stderr.toString(), "");
-  assert.deepEqual(ran.stdout.toString().trim().split("\n"), wanted.map(({ frame }) => frame));
+  assert.deepEqual(runPython(program).split("\n"), wanted.map(({ frame }) => frame));
   assert.ok(wanted.filter(({ python }) => !python.includes("assign(")).length > 0.7 * wanted.length);
   assert.ok(wanted.some(({ python }) => python.includes("msg.Control(\n    control_mode=msg.ControlMode(mode=msg.ControlModeKind.MODE_ANGLE")));
 });
@@ -158,20 +144,13 @@ test("the typed code in C++ makes the same frames", () => {
   assert.deepEqual(ran.stdout.toString().trim().split("\n"), typed.map(({ frame }) => frame));
 });
 
-/** Opens the builder of a page; fails at the end if an error occurred on the page. */
-async function withBuilder(file, work, hash = "") {
-  const context = await browser.newContext({ reducedMotion: "reduce" });
-  const page = await context.newPage();
-  const problems = [];
-  page.on("console", (message) => message.type() === "error" && problems.push(message.text()));
-  page.on("pageerror", (error) => problems.push(String(error)));
-  await page.goto(addressOf(file) + hash);
-  if (!hash) await page.locator("#builder summary").click();
-  await page.locator("#builder .built-frame, #builder .problem:visible").first().waitFor();
-  await work(page);
-  assert.deepEqual(problems, []);
-  await context.close();
-}
+/** Opens the builder of a page. */
+const withBuilder = (file, work, hash = "") =>
+  visit(browser, addressOf(file) + hash, async (page) => {
+    if (!hash) await page.locator("#builder summary").click();
+    await page.locator("#builder .built-frame, #builder .problem:visible").first().waitFor();
+    await work(page);
+  });
 
 const built = async (page, word = "frame") => page.locator(`.built-${word}`).textContent();
 const frameOf = async (page) => (await built(page)).replaceAll(" ", "").toLowerCase();
@@ -180,12 +159,9 @@ const frameOf = async (page) => (await built(page)).replaceAll(" ", "").toLowerC
 async function runLines(page) {
   const command = (await built(page, "command")).replace(/^sbgc/, `'${sbgc}'`);
   const said = spawnSync("bash", ["-c", `${command} --dry-run`]);
-  const python = `${await built(page, "python")}\nprint(frame.hex())`;
-  const PYTHONPATH = path.resolve(path.dirname(sbgc), "../python");
-  const ran = spawnSync("/usr/bin/python3", ["-c", python], { env: { ...process.env, PYTHONPATH } });
   return {
     command: said.stdout.toString().split("\n")[0] || said.stderr.toString(),
-    python: ran.stdout.toString().trim() || ran.stderr.toString(),
+    python: runPython(`${await built(page, "python")}\nprint(frame.hex())`),
   };
 }
 
@@ -252,17 +228,12 @@ test("lists grow and shrink", async () => {
 });
 
 test("axe-core has nothing to say about an open builder, nor about one with a problem", async () => {
-  const axe = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
   for (const name of ["Control", "SetAdjVarsVal"]) {
     const { page: file } = examples.find((e) => e.name === name);
     await withBuilder(file, async (page) => {
-      await page.addScriptTag({ path: axe });
       await page.locator("#builder input[type=text]").first().fill("x");
       await page.locator("#builder .problem:visible").first().waitFor();
-      const { violations } = await page.evaluate(() =>
-        globalThis.axe.run(document.querySelector("#builder"), { preload: false }),
-      );
-      assert.deepEqual(violations.map((v) => `${v.id}: ${v.nodes.map((n) => n.target)}`), []);
+      assert.deepEqual(await axeProblems(page, "#builder"), []);
     });
   }
 });

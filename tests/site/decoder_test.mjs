@@ -2,31 +2,18 @@
 
 import assert from "node:assert/strict";
 import fs from "node:fs";
-import { createRequire } from "node:module";
 import path from "node:path";
-import { after, before, test } from "node:test";
+import { after, test } from "node:test";
 import { fileURLToPath } from "node:url";
 
+import { checkLook, visit } from "./browsing.mjs";
 import { addressOf, frame, launch, root, vectors } from "./support.mjs";
 
-let browser;
-before(async () => {
-  browser = await launch();
-});
+const browser = await launch();
 after(() => browser.close());
 
-/** Opens the decoder; fails at the end if an error occurred on the page. */
-async function withDecoder(work, { hash = "", ...options } = {}) {
-  const context = await browser.newContext({ reducedMotion: "reduce", ...options });
-  const page = await context.newPage();
-  const problems = [];
-  page.on("console", (message) => message.type() === "error" && problems.push(message.text()));
-  page.on("pageerror", (error) => problems.push(String(error)));
-  await page.goto(addressOf("decoder.html") + hash);
-  await work(page);
-  assert.deepEqual(problems, []);
-  await context.close();
-}
+const withDecoder = (work, { hash = "", ...options } = {}) =>
+  visit(browser, addressOf("decoder.html") + hash, work, options);
 
 const summary = (page) => page.locator("#summary");
 
@@ -358,18 +345,15 @@ test("long lists are shown page by page", async () => {
 });
 
 test("without workers the page decodes all the same", async () => {
-  const context = await browser.newContext();
-  await context.addInitScript(() => {
+  const prepare = () => {
     globalThis.Worker = class {
       constructor() {
         throw new DOMException("not here", "SecurityError");
       }
     };
-  });
-  const page = await context.newPage();
-  await page.goto(addressOf("decoder.html") + "#hex=3E56005600");
-  await expectSummary(page, /^5 bytes: 1 frame\.$/);
-  await context.close();
+  };
+  const work = (page) => expectSummary(page, /^5 bytes: 1 frame\.$/);
+  await withDecoder(work, { hash: "#hex=3E56005600", prepare: [prepare] });
 });
 
 test("it can be used with the keyboard", async () => {
@@ -386,32 +370,17 @@ test("it can be used with the keyboard", async () => {
 });
 
 test("axe-core has nothing to say about results", async () => {
-  const axe = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
   const stream = Buffer.concat([Buffer.from([1, 2]), frame(82, [99]), frame(65, [0, 0, 0, 0, 0])]);
-  const looks = [
-    ["light", 320],
-    ["light", 1280],
-    ["dark", 390],
-  ];
-  for (const [colorScheme, width] of looks) {
-    await withDecoder(
-      async (page) => {
-        await expectSummary(page, /2 frames/);
-        await page.locator("#hex").evaluate((area) => (area.value += " zz"));
-        await page.locator("#hex").dispatchEvent("input");
-        await page.locator("#problem").waitFor();
-        for (const i of [0, 1, 2]) await inside(page, i);
-        await page.addScriptTag({ path: axe });
-        const { violations } = await page.evaluate(() => globalThis.axe.run({ preload: false }));
-        assert.deepEqual(violations.map((v) => [v.id, v.nodes.map((n) => n.html)]), []);
-        const wide = await page.evaluate(() => document.documentElement.scrollWidth > innerWidth);
-        assert.ok(!wide, `too wide for ${width}`);
-      },
-      {
-        hash: `#hex=${stream.toString("hex")}&from=host`,
-        colorScheme,
-        viewport: { width, height: 900 },
-      },
-    );
+  const hash = `#hex=${stream.toString("hex")}&from=host`;
+  for (const [colorScheme, width] of [["light", 320], ["light", 1280], ["dark", 390]]) {
+    const work = async (page) => {
+      await expectSummary(page, /2 frames/);
+      await page.locator("#hex").evaluate((area) => (area.value += " zz"));
+      await page.locator("#hex").dispatchEvent("input");
+      await page.locator("#problem").waitFor();
+      for (const i of [0, 1, 2]) await inside(page, i);
+      await checkLook(page);
+    };
+    await withDecoder(work, { hash, colorScheme, viewport: { width, height: 900 } });
   }
 });

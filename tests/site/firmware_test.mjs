@@ -1,16 +1,13 @@
 // Tests of the choice of a firmware, and of the pages about each firmware, in Chromium.
 
 import assert from "node:assert/strict";
-import { createRequire } from "node:module";
-import { after, before, test } from "node:test";
+import { after, test } from "node:test";
 
+import { axeProblems } from "./browsing.mjs";
 import { addressOf, launch, model, pages } from "./support.mjs";
 
 const { messages, enums, adjustable_variables: variables, commands } = model();
-let browser;
-before(async () => {
-  browser = await launch();
-});
+const browser = await launch();
 after(() => browser.close());
 
 /** The number of a version as on the wire: 2.68b7 is 2687. */
@@ -150,7 +147,6 @@ test("a message that the firmware lacks, or no longer has, says so", () =>
 
 test("the rest is dimmed if the reader wants it, and stays legible", () =>
   withPage(async (page) => {
-    const axe = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
     const later = variables.find((v) => since(v) > Number(chosen));
     await open(page, "variables.html");
     const row = page.locator(`[id="${later.name}"]`);
@@ -158,9 +154,7 @@ test("the rest is dimmed if the reader wants it, and stays legible", () =>
     await page.getByLabel("Dim the rest").check();
     assert.ok(await row.isVisible());
     assert.equal(await row.evaluate((e) => getComputedStyle(e).fontStyle), "italic");
-    await page.addScriptTag({ path: axe });
-    const { violations } = await page.evaluate(() => globalThis.axe.run({ preload: false }));
-    assert.deepEqual(violations.map((v) => `${v.id}: ${v.nodes[0].target}`), []);
+    assert.deepEqual(await axeProblems(page), []);
     await page.reload();
     assert.ok(await row.isVisible(), "also on the next page");
   }, { colorScheme: "dark" }));

@@ -4,29 +4,22 @@ import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import fs from "node:fs";
 import path from "node:path";
-import { after, before, test } from "node:test";
+import { after, test } from "node:test";
 import zlib from "node:zlib";
 
-import { button, checkLook, outcome, tabTo, told, visit } from "./application.mjs";
+import { button, checkLook, outcome, spy, tabTo, told, visit } from "./browsing.mjs";
 import { addressOf, launch, root, sbgc, serve, site } from "./support.mjs";
 
-let browser;
-let server;
-before(async () => {
-  browser = await launch(["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--js-flags=--expose-gc"]);
-  server = await serve();
-});
-after(async () => {
-  await browser.close();
-  server.close();
-});
+const browser = await launch(["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--js-flags=--expose-gc"]);
+const server = await serve();
+after(() => Promise.all([browser.close(), server.close()]));
 
 /** Opens the playground, and runs `work(page)` when the gimbal is there. */
-const play = (work, { hash = "", ...options } = {}) =>
+const play = (work, { hash = "", prepare = [], ...look } = {}) =>
   visit(browser, `${server.address}playground.html${hash}`, async (page) => {
     await button(page, "Motors off").and(page.locator(":enabled")).waitFor();
     await work(page);
-  }, options);
+  }, { ...look, prepare: [spy, ...prepare] });
 
 const axisOfScene = (page) => page.evaluate(() => globalThis.sbgcPlayground.opticalAxis());
 
@@ -152,7 +145,7 @@ for (const colorScheme of ["light", "dark"]) {
         await button(page, "Pause").click();
         await page.locator(".log summary").first().click();
         await checkLook(page);
-      }, { look });
+      }, look);
     });
   }
 }
@@ -290,7 +283,7 @@ test("without WebGL there are numbers, charts and the horizon", async () => {
     await page.locator(".charts canvas").first().waitFor();
     const loaded = await page.evaluate(() => performance.getEntriesByType("resource").map(({ name }) => name));
     assert.deepEqual(loaded.filter((name) => name.includes("view3d")), []);
-  }, { prepare });
+  }, { prepare: [prepare] });
 });
 
 test("without JavaScript, and from a file, the page says what it needs", async () => {

@@ -1,10 +1,29 @@
-// Opens the pages that web/ makes, and listens to what they tell their workers.
+// Pages in a browser: opens them, and looks at them as people and axe-core do.
 
 import assert from "node:assert/strict";
 import { createRequire } from "node:module";
 
+/** Opens an address in a context of its own, runs `work(page)`, and fails if the browser has complained. */
+export async function visit(browser, address, work, { prepare = [], ...look } = {}) {
+  const context = await browser.newContext({ reducedMotion: "reduce", ...look });
+  const page = await context.newPage();
+  const problems = [];
+  // Software WebGL reports that reading pixels is slow.
+  const isOurs = (message) => ["error", "warning"].includes(message.type()) && !message.text().includes("GL Driver");
+  page.on("console", (message) => isOurs(message) && problems.push(message.text()));
+  page.on("pageerror", (error) => problems.push(String(error)));
+  for (const script of prepare) await page.addInitScript(script);
+  try {
+    await page.goto(address);
+    await work(page);
+    assert.deepEqual(problems, []);
+  } finally {
+    await context.close();
+  }
+}
+
 /** Records what the page tells its worker. */
-const spy = () => {
+export const spy = () => {
   globalThis.told = [];
   const post = Worker.prototype.postMessage;
   Worker.prototype.postMessage = function (message) {
@@ -21,26 +40,6 @@ export const toldAtLeast = (page, kind, count) =>
 export const button = (page, name) => page.getByRole("button", { name, exact: true });
 export const outcome = (page, text) => page.locator(".outcome", { hasText: text }).waitFor();
 
-/** Opens the page, runs `work(page)`, and fails if the browser has complained. */
-export async function visit(browser, address, work, { look = {}, prepare } = {}) {
-  const context = await browser.newContext({ reducedMotion: "reduce", ...look });
-  const page = await context.newPage();
-  const problems = [];
-  // Software WebGL reports that reading pixels is slow.
-  const isOurs = (message) => ["error", "warning"].includes(message.type()) && !message.text().includes("GL Driver");
-  page.on("console", (message) => isOurs(message) && problems.push(message.text()));
-  page.on("pageerror", (error) => problems.push(String(error)));
-  await page.addInitScript(spy);
-  if (prepare) await page.addInitScript(prepare);
-  try {
-    await page.goto(address);
-    await work(page);
-    assert.deepEqual(problems, []);
-  } finally {
-    await context.close();
-  }
-}
-
 /** Goes to what has this name, as a keyboard does; fails if one does not see that it has the focus. */
 export async function tabTo(page, name) {
   for (let n = 0; n < 200; ++n) {
@@ -56,11 +55,17 @@ export async function tabTo(page, name) {
   assert.fail(`${name} cannot be reached`);
 }
 
-/** Fails if axe-core finds something, or the page is wider than its window. The page bypasses its policy. */
-export async function checkLook(page, what = "") {
+/** What axe-core finds in a part of the page. A page with a policy must bypass it. */
+export async function axeProblems(page, part = "html", rules = undefined) {
   await page.addScriptTag({ path: createRequire(import.meta.url).resolve("axe-core/axe.min.js") });
-  const { violations } = await page.evaluate(() => globalThis.axe.run());
-  const where = violations.map(({ id, nodes }) => `${what} ${id}: ${nodes[0].target} ${nodes[0].html}`);
-  assert.deepEqual(where, []);
+  // Preloading would load the style sheets again, which is not allowed for file URLs.
+  const run = ([where, runOnly]) => globalThis.axe.run(where, { preload: false, ...(runOnly && { runOnly }) });
+  const { violations } = await page.evaluate(run, [part, rules]);
+  return violations.map(({ id, help, nodes }) => `${id}: ${help}: ${nodes.map(({ html }) => html).slice(0, 3)}`);
+}
+
+/** Fails if axe-core finds something, or the page is wider than its window. */
+export async function checkLook(page, what = "") {
+  assert.deepEqual(await axeProblems(page), [], what);
   assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), page.viewportSize().width, what);
 }
