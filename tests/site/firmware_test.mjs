@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { after, test } from "node:test";
 
 import { axeProblems } from "./browsing.mjs";
-import { addressOf, launch, model, pages } from "./support.mjs";
+import { addressOf, launch, model, pages, slug } from "./support.mjs";
 
 const { messages, enums, adjustable_variables: variables, commands } = model();
 const browser = await launch();
@@ -20,9 +20,6 @@ const since = (thing) => (thing.since?.firmware ? numberOf(thing.since.firmware)
 /** A version with things before and after it, from the middle of all versions. */
 const versions = [...new Set(variables.map(since))].filter(Boolean).sort((a, b) => a - b);
 const chosen = String(versions[versions.length >> 1]);
-
-/** The name of a page: BoardInfo3 is board-info3. */
-const slug = (name) => name.replace(/([a-z0-9])(?=[A-Z])/g, "$1-").toLowerCase();
 
 /** Opens a page for a reader who has chosen a firmware. */
 async function open(page, name, firmware = chosen) {

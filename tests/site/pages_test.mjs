@@ -2,19 +2,16 @@
 
 import assert from "node:assert/strict";
 import fs from "node:fs";
-import { createRequire } from "node:module";
 import os from "node:os";
 import path from "node:path";
-import { after, before, test } from "node:test";
+import { after, test } from "node:test";
 import { fileURLToPath } from "node:url";
 
-import { addressOf, forEachItem, launch, model, pages, site } from "./support.mjs";
+import { axeProblems } from "./browsing.mjs";
+import { addressOf, forEachItem, launch, model, pages, site, slug } from "./support.mjs";
 
 const all = pages();
-let browser;
-before(async () => {
-  browser = await launch();
-});
+const browser = await launch();
 after(() => browser.close());
 
 /** Loads a page of the site. Returns errors and all requested addresses. */
@@ -112,22 +109,12 @@ for (const [colorScheme, width, names, rules] of [
   ["dark", 390, small(samples()), ["color-contrast"]],
 ]) {
   test(`axe-core has nothing to say about ${colorScheme} pages of ${width} pixels`, async () => {
-    const axe = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
     const problems = [];
     // The policy of the playground forbids scripts from elsewhere, such as this one.
     const look = { colorScheme, viewport: { width, height: 900 }, bypassCSP: true };
     await forEachItem(browser, names, look, async (page, name) => {
       await visit(page, name);
-      await page.addScriptTag({ path: axe });
-      // Preloading would load the style sheets again, which is not allowed for file URLs.
-      const { violations } = await page.evaluate(
-        (runOnly) => globalThis.axe.run({ preload: false, ...(runOnly && { runOnly }) }),
-        rules,
-      );
-      for (const { id, help, nodes } of violations) {
-        const where = nodes.map((node) => node.target.join(" ")).slice(0, 3);
-        problems.push(`${name}: ${id}: ${help}: ${where.join(", ")}`);
-      }
+      problems.push(...(await axeProblems(page, "html", rules)).map((problem) => `${name}: ${problem}`));
     });
     assert.deepEqual(problems, []);
   });
@@ -163,88 +150,10 @@ test("search finds a message, a command and a field, and leads there", async () 
     assert.ok((await page.locator("main").textContent()).includes(message.command), page.url());
     if (target === field) await page.locator(":target").waitFor();
   }
-  await page.locator("#search").fill("qqqqzzzz");
-  await page.locator("#search-results", { hasText: "Nothing found" }).waitFor();
-  await page.close();
-});
-
-/** Returns the names of the first search results for a query, and the line above them. */
-async function search(page, query) {
-  await page.locator("#search").fill(query);
-  await page.waitForFunction(
-    (text) => document.querySelector("#search-results")?.dataset.query === text,
-    query,
-  );
-  return {
-    names: await page.locator("#search-results a .name").allTextContents(),
-    pages: await page.locator("#search-results a").evaluateAll((all) => all.map((a) => a.getAttribute("href"))),
-    abouts: await page.locator("#search-results a").allTextContents(),
-    note: (await page.locator("#search-results .nothing").allTextContents()).join(),
-  };
-}
-
-test("search finds guides, units, synonyms and near spellings; twins are one entry", async () => {
-  const page = await browser.newPage({ reducedMotion: "reduce" });
-  await visit(page, "index.html");
-  await page.keyboard.press("/");
-
-  const guide = await search(page, "safety");
-  assert.equal(guide.names[0], "Safety");
-  assert.ok(guide.pages[0].endsWith("guides/safety.html"));
-  const section = await search(page, "lost line");
-  assert.match(section.pages[0], /guides\/(streams|safety).html#.*lost/);
-  const prose = await search(page, "pinch");
-  assert.ok(prose.pages[0].includes("guides/safety.html"), "a word in the text of a guide");
-
-  const { quantities, messages } = model();
-  const volts = await search(page, "volt");
-  assert.ok(quantities.some((q) => q.unit === "V" && volts.names.slice(0, 3).includes(q.name)), volts.names.slice(0, 3).join());
-  assert.ok(volts.pages.some((target) => target.includes("#field-")), "fields in volts, too");
-  assert.ok((await search(page, "deg/s")).pages.some((target) => target.includes("units/")));
-
-  const tuning = await search(page, "tuning");
-  assert.ok(tuning.names.includes("ReadParams3.axes.*.p"), tuning.names.join());
-
-  const same = await search(page, "velocity");
-  assert.equal(same.note, "");
-  assert.ok(same.names.some((name) => /speed/i.test(name)), same.names.join());
-
-  for (const [query, meant, name] of [
-    ["accelerometr", "accelerometer", /./],
-    ["contorl", "control", /^Control$/],
-    ["gyroscpoe", "gyroscope", /./],
-  ]) {
-    const near = await search(page, query);
-    assert.match(near.note, new RegExp(`Showing “${meant}” for “${query}”`));
-    assert.match(near.names[0], name);
+  for (const [query, note] of [["accelerometr", "Showing “accelerometer” for “accelerometr”."], ["qqqqzzzz", "Nothing found."]]) {
+    await page.locator("#search").fill(query);
+    await page.locator("#search-results .nothing", { hasText: note }).waitFor();
   }
-  assert.equal((await search(page, "qqqqzzzz")).note, "Nothing found.");
-
-  const write = messages.find((m) => m.stores && m.command.includes("WRITE"));
-  for (const [query, first, other] of [
-    [write.stores, write.stores, write.name],
-    [write.name, write.name, write.stores],
-  ]) {
-    const twins = await search(page, query);
-    assert.equal(twins.names[0], first);
-    assert.ok(twins.abouts[0].includes(`with ${other}`), twins.abouts[0]);
-    assert.ok(!twins.names.slice(1).includes(other), "twins are one entry");
-  }
-  const field = await search(page, `${write.name} gyro_trust`);
-  assert.equal(field.names[0], `${write.stores}.gyro_trust`);
-  await page.close();
-});
-
-test("search finds what comes from a line of the specification", async () => {
-  const page = await browser.newPage({ reducedMotion: "reduce" });
-  await visit(page, "index.html");
-  await page.keyboard.press("/");
-  for (const { name, source } of model().messages.filter((m) => /L\d+-L\d+/.test(m.source)).slice(0, 12)) {
-    const [, first, last] = /L(\d+)-L(\d+)/.exec(source).map(Number);
-    const { abouts } = await search(page, `L${(first + last) >> 1}`);
-    assert.ok(abouts.some((text) => text.includes(name)), `${name}: ${abouts.join()}`);
-  }
-  assert.equal((await search(page, "L99999")).note, "Nothing found.");
   await page.close();
 });
 
@@ -253,10 +162,7 @@ test("what moves has a badge that leads to what it does, and a link to the page 
   const moving = model().messages.filter((m) => m.effect?.does.includes("moves"));
   assert.ok(moving.length > 5);
   for (const { name } of moving.slice(0, 3)) {
-    await visit(page, "index.html");
-    await page.keyboard.press("/");
-    await search(page, name);
-    await page.locator("#search-results a").first().click();
+    await visit(page, `messages/${slug(name)}.html`);
     await page.locator("h1 + p a.effect", { hasText: "moves" }).click();
     await page.locator("#effect:target a[href*='guides/safety.html']").click();
     assert.equal(await page.locator("h1").textContent(), "Safety");

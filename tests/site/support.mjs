@@ -30,6 +30,9 @@ export function pages() {
   return found.sort();
 }
 
+/** The name of a page: BoardInfo3 is board-info3. */
+export const slug = (name) => name.replace(/([a-z0-9])(?=[A-Z])/g, "$1-").toLowerCase();
+
 /** Returns the exported model. */
 export const model = () =>
   JSON.parse(fs.readFileSync(path.join(root, "generated/simplebgc.json"), "utf8"));
