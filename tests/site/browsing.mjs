@@ -32,7 +32,7 @@ export const spy = () => {
   };
 };
 export const told = (page, ...kinds) =>
-  page.evaluate((some) => globalThis.told.filter(({ kind }) => some.includes(kind)), kinds);
+  page.evaluate((some) => globalThis.told.filter(({ kind, name }) => some.includes(name ?? kind)), kinds);
 
 export const toldAtLeast = (page, kind, count) =>
   page.waitForFunction(([wanted, most]) => globalThis.told.filter((one) => one.kind === wanted).length >= most, [kind, count]);

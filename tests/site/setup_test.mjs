@@ -214,7 +214,7 @@ test("a parameter is edited, planned, tried, written, read by the command, and u
     await button(page, "Try on the emulated board").click();
     await page.getByRole("heading", { name: "With the changes" }).waitFor({ timeout: 60_000 });
     await button(page, "Write").click();
-    const kinds = async () => (await told(page, "stop", "write")).map(({ kind }) => kind);
+    const kinds = async () => (await told(page, "stop", "write")).map(({ kind, name }) => name ?? kind);
     const before = await kinds();
     await page.keyboard.press("Escape"); // stops before it closes the dialog
     await page.getByRole("dialog").waitFor({ state: "detached" });

@@ -1,9 +1,9 @@
 // The connection to a real gimbal: its client on one side, a port on the other.
 
+import { sentenceOf } from "./answers.js";
 import type { LineSettings } from "./client.js";
 import * as lines from "./line_ends.js";
 import type { Direction } from "./messages.js";
-import { sentenceOf } from "./reports.js";
 import { SetupClient } from "./setup_client.js";
 import type { Place } from "./setup_messages.js";
 import type { Wasm } from "./wasm.js";

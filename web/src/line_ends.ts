@@ -1,7 +1,7 @@
 // The lines to a real gimbal: Web Serial, and the WebSocket of `sbgc bridge`.
 
+import { sentenceOf } from "./answers.js";
 import type { LineSettings } from "./client.js";
-import { sentenceOf } from "./reports.js";
 import type { Place } from "./setup_messages.js";
 
 export interface LineHandlers {

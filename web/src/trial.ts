@@ -1,9 +1,8 @@
 // A trial of parameters on an emulated board that has those of the real one.
 
 import { EmulatedGimbal } from "./line.js";
-import type { BoardFacts } from "./setup_client.js";
-import { SetupClient } from "./setup_client.js";
-import type { Plan, Trial, Written } from "./setup_messages.js";
+import { type BoardFacts, SetupClient } from "./setup_client.js";
+import type { Trial } from "./setup_messages.js";
 import type { Wasm } from "./wasm.js";
 
 /** The motion that shows how the controllers behave. */
@@ -49,11 +48,11 @@ export async function tryOut(
   await during(gimbal, client.act("motors on", gimbal.now));
   await during(gimbal, client.read());
   const findings = async (backup: string): Promise<string[]> => {
-    const plan: Plan = client.planFile(backup, 1);
+    const plan = client.planFile(backup, 1);
     const [problem] = plan.problems;
     if (problem) throw new Error(problem[1]);
     if (plan.changes.length > 0) {
-      const written = (await during(gimbal, client.write())) as Written;
+      const written = await during(gimbal, client.write());
       if (!written.ok) throw new Error(written.text);
     }
     return (await during(gimbal, client.diagnose())).map(({ sentence }) => sentence);

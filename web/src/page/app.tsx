@@ -8,7 +8,7 @@ import { DoctorPanel } from "./doctor.js";
 import { optionsOf } from "./emulation.js";
 import { FaultPanel } from "./faults.js";
 import { Horizons } from "./horizon.js";
-import { Choice } from "./inputs.js";
+import { Choice, SmallButton } from "./inputs.js";
 import { languages, stop, type Action, type Language } from "./lines.js";
 import { Log } from "./log.js";
 import { Numbers, Pace, Status } from "./status.js";
@@ -118,9 +118,7 @@ export function App({ session }: { session: Playground }) {
       )}
       <Status title={identity || "The board starts…"} onStop={() => void run(stop, "Stop")}>
         <Pace pace={pace} onPace={choosePace} />
-        <button type="button" class="plain quiet small" onClick={restart}>
-          New board
-        </button>
+        <SmallButton onClick={restart}>New board</SmallButton>
       </Status>
       {values.send && (
         <Trial key={values.send} hex={values.send} onClose={() => set({ send: "" })} />
@@ -171,9 +169,7 @@ function Share({ values }: { values: Values }) {
   };
   return (
     <p class="share">
-      <button type="button" class="plain quiet small" onClick={() => void copy()}>
-        Link to these values
-      </button>{" "}
+      <SmallButton onClick={copy}>Link to these values</SmallButton>{" "}
       <span role="status">{said}</span>
     </p>
   );

@@ -5,7 +5,7 @@ import type { ComponentChildren } from "preact";
 import { axisNames } from "./axes.js";
 import type { PanelProps } from "./controls.js";
 import { faults, lineFaults, type Part } from "./emulation.js";
-import { NumberInput, Select } from "./inputs.js";
+import { Check, NumberInput, Select } from "./inputs.js";
 
 const usualShare = 0.001;
 
@@ -79,10 +79,7 @@ interface SwitchProps {
 
 const Switch = ({ label, isOn, onChange, children }: SwitchProps) => (
   <div class="fault">
-    <label>
-      <input type="checkbox" checked={isOn} onChange={onChange} />
-      <span>{label}</span>
-    </label>
+    <Check label={label} checked={isOn} onChange={onChange} />
     {isOn && <span class="parts">{children}</span>}
   </div>
 );

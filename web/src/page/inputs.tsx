@@ -134,7 +134,7 @@ interface CheckProps {
 }
 
 export const Check = ({ label, title, checked, onChange }: CheckProps) => (
-  <label title={title}>
+  <label class="check" title={title}>
     <input
       type="checkbox"
       checked={checked}

@@ -6,7 +6,6 @@ import {
   readFault,
   type ChosenFaults,
   type Emulation,
-  type LineFault,
 } from "./emulation.js";
 
 export interface Limits {
@@ -23,6 +22,8 @@ const limits = (usual: number, least: number, most: number, step = 1): Limits =>
   step,
 });
 
+const share = limits(0, 0, 1, 0.0001);
+
 /** Angles in degrees, speeds in degrees a second, shares from 0 to 1. */
 export const numbers = {
   roll: limits(0, -45, 45),
@@ -36,10 +37,10 @@ export const numbers = {
   profile: limits(2, 1, 5),
   seed: limits(1, 0, 0xffffffff),
   strength: limits(1, 0, 10, 0.1),
-  bitErrors: limits(0, 0, 1, 0.0001),
-  lostBytes: limits(0, 0, 1, 0.0001),
-  duplicatedBytes: limits(0, 0, 1, 0.0001),
-  delayedBytes: limits(0, 0, 1, 0.0001),
+  bitErrors: share,
+  lostBytes: share,
+  duplicatedBytes: share,
+  delayedBytes: share,
 } satisfies Record<string, Limits>;
 export type NumberName = keyof typeof numbers;
 
@@ -59,12 +60,8 @@ export function usualValues(): Values {
 }
 
 export const emulationOf = (values: Values): Emulation => {
-  const { seed, motion, strength, faults } = values;
-  const shares = {} as Record<LineFault, number>;
-  for (const key of ["bitErrors", "lostBytes", "duplicatedBytes", "delayedBytes"] as const) {
-    shares[key] = values[key];
-  }
-  return { seed, motion, strength, faults, ...shares };
+  const { seed, motion, strength, faults, bitErrors, lostBytes, duplicatedBytes, delayedBytes } = values;
+  return { seed, motion, strength, faults, bitErrors, lostBytes, duplicatedBytes, delayedBytes };
 };
 
 /** The values of a link, or why it is refused. Nothing of a bad link is used. */

@@ -9,7 +9,7 @@ import { Button, Choice, SmallButton } from "../inputs.js";
 import { Log } from "../log.js";
 import { Numbers, Status } from "../status.js";
 import { Offline } from "../offline.js";
-import { type Desk, DeskContext, useOutcome } from "../session.js";
+import { type Desk, DeskContext, useOutcome, useTask } from "../session.js";
 import { GimbalView } from "../scene.js";
 import { CarePanel } from "./care.js";
 import { ConnectPanel } from "./connect.js";
@@ -17,7 +17,7 @@ import { download, useEvents } from "./parts.js";
 import { Hold } from "./hold.js";
 import { MovePanel } from "./move.js";
 import { ParametersPanel } from "./parameters.js";
-import { BenchContext, useBench, useTask, type Bench, type Setup } from "./setup_session.js";
+import { BenchContext, useBench, type Bench, type Setup } from "./setup_session.js";
 
 declare const VERSION: string;
 const reloadedFor = "sbgc-setup-reloaded";
@@ -137,7 +137,7 @@ export function App({ session, token }: { session: Setup; token: string }) {
           )}
           {board && <Recorder />}
           {board && (
-            <SmallButton onClick={() => session.ask({ kind: "disconnect" })}>Disconnect</SmallButton>
+            <SmallButton onClick={() => session.end("disconnect")}>Disconnect</SmallButton>
           )}
         </Status>
         <p class={isBad ? "outcome bad" : "outcome"} role="status">
@@ -203,7 +203,7 @@ function Recorder() {
   const { run, problem } = useTask();
   const toggle = (): Promise<unknown> =>
     run(async () => {
-      const bytes = await session.get("record", { on: !isOn });
+      const bytes = await session.do("record", [!isOn]);
       if (isOn && bytes) download(bytes, "capture");
       setOn(!isOn);
     });

@@ -4,8 +4,9 @@ import { useEffect, useState } from "preact/hooks";
 
 import type { Connected, LineSettings, Place } from "../../setup_messages.js";
 import { Button, Choice, Select, SmallButton, TextInput } from "../inputs.js";
+import { useTask } from "../session.js";
 import { TaskState, useEvents } from "./parts.js";
-import { useBench, useTask } from "./setup_session.js";
+import { useBench } from "./setup_session.js";
 
 const ways = [
   ["serial", "USB or serial"],
@@ -28,7 +29,7 @@ export function ConnectPanel({ token, isReady, onConnected }: Props) {
   const [way, setWay] = useState<Place["kind"]>(ports && !token ? "serial" : "bridge");
   const task = useTask();
   const connect: Connect = async (place, line, port) => {
-    const board = await task.run((progress) => session.get("connect", { place, line }, progress));
+    const board = await task.run((progress) => session.do("connect", [place, line], progress));
     if (!board) return;
     if (port) noteBoard(port, board.serialNumber);
     onConnected(board);
@@ -45,7 +46,7 @@ export function ConnectPanel({ token, isReady, onConnected }: Props) {
         <BridgeWay token={token} isPossible={isPossible} connect={connect} />
       )}
       <p class="says">The page finds the settings of the line, and asks the board what it is.</p>
-      <TaskState task={task} onCancel={() => void session.ask({ kind: "disconnect" })} />
+      <TaskState task={task} onCancel={() => session.end("disconnect")} />
     </section>
   );
 }

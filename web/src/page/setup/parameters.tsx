@@ -4,9 +4,10 @@ import { useId, useRef, useState } from "preact/hooks";
 
 import type { Parameter, Plan, Read, Topic, Written } from "../../setup_messages.js";
 import { Button, Check, Select, SmallButton } from "../inputs.js";
+import { useTask } from "../session.js";
 import { download, TaskState } from "./parts.js";
 import { Review } from "./review.js";
-import { useBench, useTask } from "./setup_session.js";
+import { useBench } from "./setup_session.js";
 
 /** Changed values by the name of the parameter, for each profile; 0: the same in all of them. */
 type Edits = Record<number, Record<string, string>>;
@@ -33,12 +34,12 @@ export function ParametersPanel() {
   const task = useTask();
 
   const show = async (one: number): Promise<void> => {
-    setTopics(await session.get("profile", { profile: one }));
+    setTopics(await session.do("profile", [one]));
     setProfile(one);
   };
   const readAll = (): Promise<unknown> =>
     task.run(async (progress) => {
-      const now = await session.get("parameters", {}, progress);
+      const now = await session.do("read", [], progress);
       setRead(now);
       await show(Math.min(profile > 1 ? profile : now.active, now.profiles));
     });
@@ -66,11 +67,11 @@ export function ParametersPanel() {
       if (file.size > longestFile) throw new Error(`${file.name} is too long for a backup`);
       const content = await file.text();
       const text = file.name.endsWith(".profile") ? elementsOf(content) : content;
-      return session.get("plan-file", { text, profile });
+      return session.do("planFile", [text, profile]);
     });
   };
   const backup = (): Promise<unknown> =>
-    task.run(async (progress) => download(await session.get("backup", {}, progress), "json"));
+    task.run(async (progress) => download(await session.do("backup", [], progress), "json"));
   const end = async (now: Written): Promise<void> => {
     setWritten(now);
     setPlan(null);
@@ -125,7 +126,7 @@ export function ParametersPanel() {
             />
             <SmallButton
               disabled={!isPossible || !canUndo}
-              onClick={() => review(() => session.get("plan-undo", {}))}
+              onClick={() => review(() => session.do("planUndo", []))}
             >
               Undo the last write
             </SmallButton>
@@ -181,7 +182,7 @@ export function ParametersPanel() {
             <Button
               look="plain small"
               disabled={!isPossible || Object.keys(values).length === 0}
-              onClick={() => review(() => session.get("plan", { profile, values }), true)}
+              onClick={() => review(() => session.do("plan", [values, profile]), true)}
             >
               Review
             </Button>

@@ -5,8 +5,9 @@ import type { ComponentChildren } from "preact";
 import { useEffect, useRef } from "preact/hooks";
 
 import { Button, SmallButton } from "../inputs.js";
+import type { Task } from "../session.js";
 import { StopButton } from "../status.js";
-import { type Task, useBench } from "./setup_session.js";
+import { useBench } from "./setup_session.js";
 
 /** Beside what would move. */
 export function ArmSwitch({ children }: { children: ComponentChildren }) {
