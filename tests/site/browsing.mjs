@@ -3,6 +3,16 @@
 import assert from "node:assert/strict";
 import { createRequire } from "node:module";
 
+/** Makes a function that makes tests: of `work(page)` with a page in a context of its own. */
+export const testsOf = (browser) => (work, look = {}) => async () => {
+  const context = await browser.newContext({ reducedMotion: "reduce", ...look });
+  try {
+    await work(await context.newPage());
+  } finally {
+    await context.close();
+  }
+};
+
 /** Opens an address in a context of its own, runs `work(page)`, and fails if the browser has complained. */
 export async function visit(browser, address, work, { prepare = [], ...look } = {}) {
   const context = await browser.newContext({ reducedMotion: "reduce", ...look });
@@ -63,6 +73,11 @@ export async function axeProblems(page, part = "html", rules = undefined) {
   const { violations } = await page.evaluate(run, [part, rules]);
   return violations.map(({ id, help, nodes }) => `${id}: ${help}: ${nodes.map(({ html }) => html).slice(0, 3)}`);
 }
+
+/** In which a page is checked. */
+export const looks = ["light", "dark"].flatMap((colorScheme) =>
+  [390, 768, 1280].map((width) => ({ colorScheme, viewport: { width, height: 900 }, bypassCSP: true })),
+);
 
 /** Fails if axe-core finds something, or the page is wider than its window. */
 export async function checkLook(page, what = "") {

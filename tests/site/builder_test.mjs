@@ -9,12 +9,13 @@ import path from "node:path";
 import { after, test } from "node:test";
 import vm from "node:vm";
 
-import { axeProblems, visit } from "./browsing.mjs";
+import { axeProblems, testsOf, visit } from "./browsing.mjs";
 import { addressOf, launch, messagesModule, model, pages, root, runPython, sbgc, site, startModule } from "./support.mjs";
 
 const { call } = await startModule(messagesModule());
 const browser = await launch();
 after(() => browser.close());
+const inPage = testsOf(browser);
 
 /** The messages with a builder: their pages, and the frames of their examples. */
 const examples = pages()
@@ -26,6 +27,9 @@ const examples = pages()
     return { page, name, facts, frame: /data-frame="([0-9a-f]+)"/.exec(text)[1] };
   })
   .filter(({ name }) => name !== undefined);
+
+const exampleOf = (name) => examples.find((one) => one.name === name);
+const pageOf = (name) => exampleOf(name).page;
 
 /** What the module makes of the values of a form. */
 const build = (name, frame, lines) => JSON.parse(call("build", Buffer.from([name, frame, ...lines].join("\n"))));
@@ -111,7 +115,7 @@ function codes() {
   const all = [...examples.map(({ name, frame }) => [name, frame, []]), ...more.map(([name, lines]) => [name, "", lines])];
   return all.map(([name, from, given]) => {
     const { frame, lines } = build(name, from, given);
-    const { cpp, python } = make(name, JSON.parse(examples.find((e) => e.name === name).facts));
+    const { cpp, python } = make(name, JSON.parse(exampleOf(name).facts));
     return { name, frame, cpp: cpp(lines), python: python(lines) };
   });
 }
@@ -167,7 +171,7 @@ async function runLines(page) {
 
 test("a page shows the frame of its example, and lines that make it", async () => {
   const names = ["Control", "DataStreamInterval", "SetAdjVarsVal", "MotorsOn", "WriteProfileNames", "RunScript"];
-  const wanted = names.map((name) => examples.find((e) => e.name === name)).filter(Boolean);
+  const wanted = names.map(exampleOf).filter(Boolean);
   assert.ok(wanted.length >= 4);
   for (const { page: file, frame } of wanted) {
     await withBuilder(file, async (page) => {
@@ -178,7 +182,7 @@ test("a page shows the frame of its example, and lines that make it", async () =
 });
 
 test("another value makes another frame, and a link that holds it", async () => {
-  const { page: file, frame } = examples.find((e) => e.name === "Control");
+  const { page: file, frame } = exampleOf("Control");
   await withBuilder(file, async (page) => {
     await page.locator("[id='build-axes.pitch.angle']").fill("-30");
     await page.getByRole("checkbox", { name: "CONTROL_FLAG_HIGH_RES_SPEED" }).check();
@@ -195,42 +199,35 @@ test("another value makes another frame, and a link that holds it", async () => 
   });
 });
 
-test("a wrong value has its sentence beside it, and there is no frame", async () => {
-  const { page: file } = examples.find((e) => e.name === "Control");
-  await withBuilder(file, async (page) => {
-    const field = page.locator("[id='build-axes.pitch.angle']");
-    await field.fill("800");
-    const problem = page.locator("[id='build-axes.pitch.angle-problem']");
-    await problem.waitFor();
-    assert.match(await problem.textContent(), /does not fit: -720 deg to 719\.978 deg/);
-    assert.equal(await field.getAttribute("aria-invalid"), "true");
-    assert.equal(await page.locator(".built-frame").count(), 0);
-    await field.fill("80");
-    await page.locator(".built-frame").waitFor();
-    assert.ok(await problem.isHidden());
-    assert.equal(await field.getAttribute("aria-invalid"), null);
-  });
-});
+test("a wrong value has its sentence beside it, and there is no frame", () => withBuilder(pageOf("Control"), async (page) => {
+  const field = page.locator("[id='build-axes.pitch.angle']");
+  await field.fill("800");
+  const problem = page.locator("[id='build-axes.pitch.angle-problem']");
+  await problem.waitFor();
+  assert.match(await problem.textContent(), /does not fit: -720 deg to 719\.978 deg/);
+  assert.equal(await field.getAttribute("aria-invalid"), "true");
+  assert.equal(await page.locator(".built-frame").count(), 0);
+  await field.fill("80");
+  await page.locator(".built-frame").waitFor();
+  assert.ok(await problem.isHidden());
+  assert.equal(await field.getAttribute("aria-invalid"), null);
+}));
 
-test("lists grow and shrink", async () => {
-  const { page: file } = examples.find((e) => e.name === "SetAdjVarsVal");
-  await withBuilder(file, async (page) => {
-    const before = await frameOf(page);
-    await page.getByRole("button", { name: "Add one" }).click();
-    await page.waitForFunction((text) => document.querySelector(".built-frame").textContent.length > text, before.length * 1.5);
-    const longer = await frameOf(page);
-    assert.ok(longer.length > before.length);
-    assert.deepEqual(await runLines(page), { command: longer, python: longer });
-    await page.getByRole("button", { name: "Remove the last" }).click();
-    await page.waitForFunction((text) => document.querySelector(".built-frame").textContent.length < text, longer.length * 1.5 - 1);
-    assert.equal(await frameOf(page), before);
-  });
-});
+test("lists grow and shrink", () => withBuilder(pageOf("SetAdjVarsVal"), async (page) => {
+  const before = await frameOf(page);
+  await page.getByRole("button", { name: "Add one" }).click();
+  await page.waitForFunction((text) => document.querySelector(".built-frame").textContent.length > text, before.length * 1.5);
+  const longer = await frameOf(page);
+  assert.ok(longer.length > before.length);
+  assert.deepEqual(await runLines(page), { command: longer, python: longer });
+  await page.getByRole("button", { name: "Remove the last" }).click();
+  await page.waitForFunction((text) => document.querySelector(".built-frame").textContent.length < text, longer.length * 1.5 - 1);
+  assert.equal(await frameOf(page), before);
+}));
 
 test("axe-core has nothing to say about an open builder, nor about one with a problem", async () => {
   for (const name of ["Control", "SetAdjVarsVal"]) {
-    const { page: file } = examples.find((e) => e.name === name);
-    await withBuilder(file, async (page) => {
+    await withBuilder(pageOf(name), async (page) => {
       await page.locator("#builder input[type=text]").first().fill("x");
       await page.locator("#builder .problem:visible").first().waitFor();
       assert.deepEqual(await axeProblems(page, "#builder"), []);
@@ -238,18 +235,15 @@ test("axe-core has nothing to say about an open builder, nor about one with a pr
   }
 });
 
-test("nothing of the builder is loaded before it is opened, and without JavaScript there is none", async () => {
-  const { page: file } = examples.find((e) => e.name === "Control");
-  const page = await browser.newPage();
+test("nothing of the builder is loaded before it is opened", inPage(async (page) => {
   const requests = [];
   page.on("request", (request) => requests.push(request.url()));
-  await page.goto(addressOf(file));
+  await page.goto(addressOf(pageOf("Control")));
   await page.locator("#builder summary").waitFor();
   assert.ok(!requests.some((url) => url.includes("-module")), requests.join());
-  await page.close();
-  const context = await browser.newContext({ javaScriptEnabled: false });
-  const plain = await context.newPage();
-  await plain.goto(addressOf(file));
-  assert.ok(await plain.locator("#builder").isHidden());
-  await context.close();
-});
+}));
+
+test("without JavaScript there is no builder", inPage(async (page) => {
+  await page.goto(addressOf(pageOf("Control")));
+  assert.ok(await page.locator("#builder").isHidden());
+}, { javaScriptEnabled: false }));

@@ -7,11 +7,12 @@ import path from "node:path";
 import { after, test } from "node:test";
 import { fileURLToPath } from "node:url";
 
-import { axeProblems } from "./browsing.mjs";
+import { axeProblems, testsOf } from "./browsing.mjs";
 import { addressOf, forEachItem, launch, model, pages, site, slug } from "./support.mjs";
 
 const all = pages();
 const browser = await launch();
+const inPage = testsOf(browser);
 after(() => browser.close());
 
 /** Loads a page of the site. Returns errors and all requested addresses. */
@@ -87,8 +88,7 @@ for (const [width, names] of [
   });
 }
 
-test("a page that fails is noticed", async () => {
-  const page = await browser.newPage({ viewport: { width: 320, height: 600 } });
+test("a page that fails is noticed", inPage(async (page) => {
   const name = path.join(os.tmpdir(), `sbgc-broken-${process.pid}.html`);
   const body = '<img src="missing.png"><script>nonsense()</script><p style="width: 400px">wide';
   fs.writeFileSync(name, `<!DOCTYPE html><title>x</title>${body}`);
@@ -97,8 +97,7 @@ test("a page that fails is noticed", async () => {
   assert.match(problems.join("\n"), /failed: .*missing\.png/);
   assert.match(problems.join("\n"), /exception: .*nonsense/);
   assert.match((await page.evaluate(overflowing, 320)).join("\n"), /width: 400px/);
-  await page.close();
-});
+}, { viewport: { width: 320, height: 600 } }));
 
 // These take long, and are tables like those of the units, the enums and the availability.
 const alike = ["messages.html", "variables.html"];
@@ -120,19 +119,16 @@ for (const [colorScheme, width, names, rules] of [
   });
 }
 
-test("the start page weighs less than 300 kB", async () => {
-  const page = await browser.newPage();
+test("the start page weighs less than 300 kB", inPage(async (page) => {
   const { requests } = await visit(page, "index.html");
   const files = new Set(requests.filter((url) => url.startsWith("file:")));
-  await page.close();
   const sizes = [...files].map((url) => fs.statSync(fileURLToPath(url)).size);
   const weight = sizes.reduce((sum, size) => sum + size, 0);
   assert.ok(files.size > 3);
   assert.ok(weight < 300_000, `${weight} bytes: ${[...files].join(" ")}`);
-});
+}));
 
-test("search finds a message, a command and a field, and leads there", async () => {
-  const page = await browser.newPage({ reducedMotion: "reduce" });
+test("search finds a message, a command and a field, and leads there", inPage(async (page) => {
   const { messages } = model();
   const message = messages.find((m) => m.layout.some((leaf) => leaf.path.startsWith("axes.")));
   const leaf = message.layout.find((l) => l.path.startsWith("axes.") && !l.reserved);
@@ -154,11 +150,9 @@ test("search finds a message, a command and a field, and leads there", async () 
     await page.locator("#search").fill(query);
     await page.locator("#search-results .nothing", { hasText: note }).waitFor();
   }
-  await page.close();
-});
+}));
 
-test("what moves has a badge that leads to what it does, and a link to the page about safety", async () => {
-  const page = await browser.newPage({ reducedMotion: "reduce" });
+test("what moves has a badge that leads to what it does, and a link to the page about safety", inPage(async (page) => {
   const moving = model().messages.filter((m) => m.effect?.does.includes("moves"));
   assert.ok(moving.length > 5);
   for (const { name } of moving.slice(0, 3)) {
@@ -167,12 +161,9 @@ test("what moves has a badge that leads to what it does, and a link to the page 
     await page.locator("#effect:target a[href*='guides/safety.html']").click();
     assert.equal(await page.locator("h1").textContent(), "Safety");
   }
-  await page.close();
-});
+}));
 
-test("the languages of an example are tabs; the choice holds for other pages", async () => {
-  const context = await browser.newContext({ reducedMotion: "reduce" });
-  const page = await context.newPage();
+test("the languages of an example are tabs; the choice holds for other pages", inPage(async (page) => {
   const [first, second] = all.filter((file) => file.startsWith("messages/"));
   const shown = async () => {
     const tabs = page.getByRole("tab", { selected: true });
@@ -195,13 +186,11 @@ test("the languages of an example are tabs; the choice holds for other pages", a
   assert.equal(await shown(), "Bytes");
   await page.emulateMedia({ media: "print" });
   assert.equal(await page.locator(".tab:visible").count(), names.length);
-  await context.close();
-});
+}));
 
-test("the outline of a long page stays in view, where there is room, and leads to its sections", async () => {
-  for (const javaScriptEnabled of [true, false]) {
-    const context = await browser.newContext({ javaScriptEnabled, reducedMotion: "reduce" });
-    const page = await context.newPage();
+for (const javaScriptEnabled of [true, false]) {
+  const how = javaScriptEnabled ? "" : ", also without JavaScript";
+  test(`the outline of a long page stays in view where there is room, and leads to its sections${how}`, inPage(async (page) => {
     for (const [name, isBeside] of [["messages/control.html", false], ["guides/streams.html", true]]) {
       await page.setViewportSize({ width: 1280, height: 700 });
       await page.goto(addressOf(name));
@@ -223,12 +212,10 @@ test("the outline of a long page stays in view, where there is room, and leads t
       assert.ok(await outline.isHidden());
       await page.emulateMedia({ media: "screen" });
     }
-    await context.close();
-  }
-});
+  }, { javaScriptEnabled }));
+}
 
-test("names in the menu are whole", async () => {
-  const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
+test("names in the menu are whole", inPage(async (page) => {
   await visit(page, all.find((name) => name.startsWith("messages/i2c-read-reg-buf-request")));
   const cut = await page.locator("#menu a").evaluateAll((links) =>
     links
@@ -236,11 +223,9 @@ test("names in the menu are whole", async () => {
       .map((a) => a.textContent),
   );
   assert.deepEqual(cut, []);
-  await page.close();
-});
+}, { viewport: { width: 1280, height: 800 } }));
 
-test("the example of a message opens in the decoder", async () => {
-  const page = await browser.newPage({ reducedMotion: "reduce" });
+test("the example of a message opens in the decoder", inPage(async (page) => {
   for (const name of all.filter((file) => file.startsWith("messages/")).slice(0, 5)) {
     await visit(page, name);
     const title = await page.locator("h1 small").textContent();
@@ -249,14 +234,10 @@ test("the example of a message opens in the decoder", async () => {
     const names = await page.locator(".opener .what .muted").allTextContents();
     assert.equal(names.at(-1), title);
   }
-  await page.close();
-});
+}));
 
-test("without JavaScript there is the content and a menu", async () => {
-  const context = await browser.newContext({ javaScriptEnabled: false, reducedMotion: "reduce" });
-  for (const width of [1280, 390]) {
-    const page = await context.newPage();
-    await page.setViewportSize({ width, height: 800 });
+for (const width of [1280, 390]) {
+  test(`without JavaScript there is the content and a menu, ${width} pixels wide`, inPage(async (page) => {
     await page.goto(addressOf("index.html"));
     await page.locator("h1").waitFor();
     if (width < 960) await page.locator(".menu-button").click();
@@ -266,10 +247,8 @@ test("without JavaScript there is the content and a menu", async () => {
     await hint.waitFor();
     assert.match(await hint.textContent(), /sbgc decode --hex/);
     assert.ok(await page.locator("#search").isHidden());
-    await page.close();
-  }
-  await context.close();
-});
+  }, { javaScriptEnabled: false, viewport: { width, height: 800 } }));
+}
 
 test("on paper there is the content without bars and menus", async () => {
   const problems = [];

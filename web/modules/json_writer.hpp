@@ -22,6 +22,7 @@ class JsonWriter {
   void put(std::string_view text) { tools::put_json_string(value(), text); }
   void put(const char* text) { put(std::string_view(text)); }
   void put(bool is_true) { value().put(is_true ? "true" : "false"); }
+  void put(double number) { detail::put_real(value(), number); }
   template <std::integral Number>
   void put(Number number) {
     value().put(number);

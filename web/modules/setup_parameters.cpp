@@ -141,9 +141,11 @@ Result<tools::VendorFile> read_elements(std::string_view lines) {
 
 void report_progress(double id, double share, std::string_view text) {
   client()->report([&](JsonWriter& out) {
-    const Json progress{{"share", share < 0 ? Json() : Json(share)}, {"text", text}};
     out.member("progress", static_cast<std::int64_t>(id));
-    out.key("of").value().put(detail::json_text(progress));
+    out.key("of").object([&] {
+      if (share >= 0) out.member("share", share);
+      out.member("text", text);
+    });
   });
 }
 

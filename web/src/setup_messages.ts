@@ -1,7 +1,7 @@
 // The messages between the page that sets up a real gimbal and its worker, besides worker_messages.ts.
 // The worker owns the line, the client, the clock, and an emulated board for trials.
 
-import type { LineSettings } from "./client.js";
+import type { LineSettings, Progress } from "./client.js";
 import type * as playground from "./worker_messages.js";
 import type { Axes } from "./worker_messages.js";
 
@@ -72,8 +72,8 @@ export type Report =
   | { kind: "link"; state: LinkState; text: string }
   /** Motion is locked, although the line is there: the computer has slept. */
   | { kind: "locked"; text: string }
-  /** Of a task that takes long. `share` is 0 to 1, null if it is not known. */
-  | { kind: "progress"; id: number; share: number | null; text: string }
+  /** Of a task that takes long. */
+  | ({ kind: "progress"; id: number } & Progress)
   | (Extract<playground.Report, { kind: "done" }> & { result?: unknown });
 
 export type LinkState = "closed" | "searching" | "connected" | "lost";

@@ -4,11 +4,13 @@
 import { answer, sentenceOf } from "./answers.js";
 import { Capture } from "./capture.js";
 import type { LineSettings, Progress } from "./client.js";
-import { Connection, now } from "./connection.js";
+import { Connection, usualLine } from "./connection.js";
+import * as lines from "./line_ends.js";
 import type { Direction } from "./messages.js";
 import { Reports } from "./reports.js";
-import type { OnProgress, SetupClient } from "./setup_client.js";
+import { type OnProgress, SetupClient } from "./setup_client.js";
 import type { Connected, Place, Report, Request, Trial, Work } from "./setup_messages.js";
+import { now } from "./timer.js";
 import { tryOut } from "./trial.js";
 import { Wasm } from "./wasm.js";
 import type { Axes } from "./worker_messages.js";
@@ -31,8 +33,8 @@ const isStill = (speeds: Axes): boolean => speeds.every((speed) => speed === 0);
 const moves = (action: string): boolean => action !== "stop" && action !== "motors off";
 
 class Workshop {
-  #connection: Connection | null = null;
-  #opening: Connection | null = null;
+  #connection: Connection<SetupClient> | null = null;
+  #opening: { close(): Promise<void> } | null = null;
   #place: Place | null = null;
   #line: LineSettings | null = null;
   #serialNumber = "";
@@ -163,14 +165,20 @@ class Workshop {
 
   async #open(place: Place, wanted: LineSettings | null): Promise<Connected> {
     say({ kind: "link", state: "searching", text: "looking for the board" });
-    let opened: Connection | undefined;
+    let opened: Connection<SetupClient> | undefined;
     try {
-      opened = await Connection.open(this.setup, place, wanted, {
-        observed: (from, bytes) => this.#observe(from, bytes),
-        lost: (reason) => opened === this.#connection && void this.#find(reason),
-        noticed: (text) => say({ kind: "notice", text }),
-        begun: (made) => void (this.#opening = made),
-      });
+      const known = place.kind === "serial" ? wanted : usualLine; // a bridge knows the settings
+      opened = await Connection.open(
+        (handlers) => new SetupClient(this.setup, handlers, known === null),
+        (settings, handlers) => lines.open(place, settings, handlers),
+        {
+          observed: (from, bytes) => this.#observe(from, bytes),
+          lost: (reason) => opened === this.#connection && void this.#find(reason),
+          noticed: (text) => say({ kind: "notice", text }),
+          begun: (made) => void (this.#opening = made),
+        },
+        known ?? usualLine,
+      );
     } finally {
       this.#opening = null;
     }

@@ -57,7 +57,7 @@ export function ActionRow({ action, label, isMain, children }: ActionProps) {
   const { isReady, run } = useDesk();
   return (
     <div class="action">
-      <div class="do">
+      <div class="flow do">
         <Button
           look={isMain ? "plain" : "plain quiet"}
           disabled={!isReady}

@@ -101,9 +101,9 @@ export function Charts() {
   }, [session]);
   return (
     <section aria-labelledby="charts-title">
-      <div class="head">
+      <div class="flow apart head">
         <h2 id="charts-title">Charts</h2>
-        <p class="legend">
+        <p class="flow legend">
           {axisNames.map((axis) => (
             <span key={axis}>
               <i class={`swatch ${axis}`} /> {axis}

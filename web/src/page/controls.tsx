@@ -5,6 +5,7 @@ import { useRef } from "preact/hooks";
 import type { Axes } from "../worker_messages.js";
 import { ActionRow, CodeLine } from "./actions.js";
 import { angleWords, axisNames, type AxisName } from "./axes.js";
+import { motions } from "./emulation.js";
 import { Choice, Select, SliderRow } from "./inputs.js";
 import {
   chooseProfile,
@@ -17,7 +18,7 @@ import {
   turn,
 } from "./lines.js";
 import { useDesk, useView } from "./session.js";
-import { emulationOf, numbers, type NumberName, type Values } from "./values.js";
+import { numbers, type NumberName, type Values } from "./values.js";
 
 export interface PanelProps {
   values: Values;
@@ -116,13 +117,6 @@ export const TurnPanel = ({ values, set }: PanelProps) => (
   </section>
 );
 
-const motions = [
-  ["rest", "At rest"],
-  ["handheld", "Hand-held"],
-  ["drone", "Drone"],
-  ["vehicle", "Vehicle"],
-] as const;
-
 export const MotionPanel = ({ values, set }: PanelProps) => (
   <section aria-labelledby="motion-title">
     <h2 id="motion-title">Motion of the frame</h2>
@@ -134,6 +128,6 @@ export const MotionPanel = ({ values, set }: PanelProps) => (
       onChange={(motion) => set({ motion })}
     />
     <Sliders rows={[["strength", "Strength", "×"]]} values={values} set={set} />
-    <CodeLine lines={emulateLines(emulationOf(values))} about="the same board on your computer" />
+    <CodeLine lines={emulateLines(values)} about="the same board on your computer" />
   </section>
 );

@@ -20,7 +20,7 @@ export function DoctorPanel() {
     <section aria-labelledby="doctor-title" class="doctor">
       <h2 id="doctor-title">Doctor</h2>
       <div class="action">
-        <div class="do">
+        <div class="flow do">
           <Button disabled={!isReady || isBusy} onClick={examine}>
             {isBusy ? "Measuring…" : "Examine"}
           </Button>

@@ -78,9 +78,9 @@ interface SwitchProps {
 }
 
 const Switch = ({ label, isOn, onChange, children }: SwitchProps) => (
-  <div class="fault">
+  <div class="flow fault">
     <Check label={label} checked={isOn} onChange={onChange} />
-    {isOn && <span class="parts">{children}</span>}
+    {isOn && <span class="flow">{children}</span>}
   </div>
 );
 

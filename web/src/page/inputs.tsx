@@ -156,7 +156,7 @@ interface ChoiceProps<T extends string> {
 export function Choice<T extends string>(props: ChoiceProps<T>) {
   const name = useId();
   return (
-    <fieldset class={`choice ${props.class}`}>
+    <fieldset class={`flow choice ${props.class}`}>
       <legend>{props.legend}</legend>
       {props.options.map(([key, title]) => (
         <label key={key}>

@@ -94,11 +94,11 @@ export function Log() {
       if (isNew) redraw(count.current);
       isNew = false;
     }, interval);
-    session.log(true);
+    session.post({ kind: "log", on: true });
     return () => {
       end();
       clearInterval(timer);
-      session.log(false);
+      session.post({ kind: "log", on: false });
     };
   }, [session, isOn, isPaused]);
 
@@ -108,9 +108,9 @@ export function Log() {
     setWithout(without.includes(kind) ? without.filter((k) => k !== kind) : [...without, kind]);
   return (
     <section aria-labelledby="log-title" class="log">
-      <div class="head">
+      <div class="flow apart head">
         <h2 id="log-title">Frames on the line</h2>
-        <div class="do">
+        <div class="flow do">
           <SmallButton onClick={() => setOn(!isOn)}>
             {isOn ? "End the log" : "Show the log"}
           </SmallButton>
@@ -123,7 +123,7 @@ export function Log() {
       </div>
       {isOn && (
         <>
-          <fieldset class="kinds">
+          <fieldset class="flow kinds">
             <legend class="hidden">Shown messages</legend>
             {kinds.map((kind) => (
               <Check

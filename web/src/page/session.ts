@@ -3,7 +3,6 @@
 import { createContext } from "preact";
 import { useContext, useEffect, useRef, useState } from "preact/hooks";
 
-import type { EmulatorOptions } from "../modules.js";
 import { sentenceOf } from "../answers.js";
 import type * as setup from "../setup_messages.js";
 import type * as playground from "../worker_messages.js";
@@ -42,10 +41,6 @@ export class Session {
     worker.addEventListener("error", (event) =>
       this.#take({ kind: "failed", message: event.message || "the worker could not be loaded" }),
     );
-  }
-
-  log(on: boolean): void {
-    this.post({ kind: "log", on });
   }
 
   /** Rejects with what the worker says is wrong. */
@@ -95,7 +90,8 @@ export class Session {
     };
   }
 
-  protected post(request: Request): void {
+  /** Says what needs no answer. */
+  post(request: Request): void {
     this.#worker.postMessage(request);
   }
 
@@ -109,21 +105,6 @@ export class Session {
     }
     if (report.kind === "progress") this.#pending.get(report.id)?.progress?.(report);
     for (const listener of this.#listeners) listener(report);
-  }
-}
-
-/** With an emulated board, whose owner is the page. */
-export class Playground extends Session {
-  start(options: EmulatorOptions): void {
-    this.post({ kind: "start", options });
-  }
-
-  change(options: EmulatorOptions): void {
-    this.post({ kind: "change", options });
-  }
-
-  pace(factor: number): void {
-    this.post({ kind: "pace", factor });
   }
 }
 

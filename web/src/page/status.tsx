@@ -18,8 +18,8 @@ interface Props {
 export function Status({ title, onStop, children }: Props) {
   const view = useView(perSecond);
   return (
-    <div class="status">
-      <p class="board">
+    <div class="flow status">
+      <p class="flow board">
         <span class="identity">{title}</span>
         {view && (
           <>

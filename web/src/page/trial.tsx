@@ -28,7 +28,7 @@ export function Trial({ hex, onClose }: { hex: string; onClose: () => void }) {
   const isSendable = isReady && !sending.isBusy && request !== null && !decoding.problem;
   return (
     <section aria-labelledby="trial-title" class="trial">
-      <div class="head">
+      <div class="flow apart head">
         <h2 id="trial-title">A request from a link</h2>
         <SmallButton onClick={onClose}>Close</SmallButton>
       </div>

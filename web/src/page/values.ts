@@ -1,12 +1,6 @@
 // All values of the page, with their limits; a link holds those that are not the usual ones.
 
-import {
-  faultTexts,
-  motions,
-  readFault,
-  type ChosenFaults,
-  type Emulation,
-} from "./emulation.js";
+import { faultTexts, motions, readFault, type ChosenFaults, type Emulation } from "./emulation.js";
 
 export interface Limits {
   least: number;
@@ -59,11 +53,6 @@ export function usualValues(): Values {
   return { ...Object.fromEntries(usual), motion: "rest", faults: {}, send: "" } as Values;
 }
 
-export const emulationOf = (values: Values): Emulation => {
-  const { seed, motion, strength, faults, bitErrors, lostBytes, duplicatedBytes, delayedBytes } = values;
-  return { seed, motion, strength, faults, bitErrors, lostBytes, duplicatedBytes, delayedBytes };
-};
-
 /** The values of a link, or why it is refused. Nothing of a bad link is used. */
 export function readLink(hash: string): Values | string {
   if (hash.length > longestLink) return `it is longer than ${longestLink} characters`;
@@ -91,9 +80,9 @@ function readValue(values: Values, key: string, text: string): string {
     return "";
   }
   if (key === "motion") {
-    const motion = motions.find((one) => one === text);
-    if (!motion) return `the motions are ${motions.join(", ")}`;
-    values.motion = motion;
+    const motion = motions.find(([one]) => one === text);
+    if (!motion) return `the motions are ${motions.map(([one]) => one).join(", ")}`;
+    [values.motion] = motion;
     return "";
   }
   if (key === "faults") {

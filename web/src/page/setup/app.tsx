@@ -50,13 +50,13 @@ export function App({ session, token }: { session: Setup; token: string }) {
   const [notice, setNotice] = useState("");
   const [shown, setShown] = useState<(typeof views)[number][0]>("move");
   const { outcome, follow, clear } = useOutcome();
-  const [hold] = useState(() => new Hold((speeds) => session.hold(speeds)));
+  const [hold] = useState(() => new Hold((speeds) => session.post({ kind: "hold", speeds })));
   const isConnected = link.state === "connected" && board !== null;
 
   const arm = (on: boolean): void => {
     if (on && (!isReady || !isConnected)) return;
     if (!on) hold.releaseAll();
-    session.arm(on);
+    session.post({ kind: "arm", on });
     setArmed(on);
   };
   const stop = (): void => {
@@ -181,7 +181,7 @@ function Facts({ board: { serialNumber, line, lacks } }: { board: Connected }) {
     serialNumber && `serial number ${serialNumber}`,
   ];
   return (
-    <div class="row says">
+    <div class="flow row says">
       <span>{facts.filter(Boolean).join(", ")}</span>
       {lacks.length > 0 && (
         <details>

@@ -99,7 +99,7 @@ function CalibrationCard({ calibration }: { calibration: Calibration }) {
         </li>
       </ol>
       {moves && <ArmSwitch>The motors turn the camera during this calibration.</ArmSwitch>}
-      <div class="row">
+      <div class="flow row">
         <Button look="plain quiet" disabled={!isPossible} onClick={check}>Check</Button>
         <Button disabled={!isPossible || (moves && !isArmed)} onClick={() => setAsks(true)}>
           Calibrate
@@ -152,7 +152,7 @@ function TunePanel() {
         The board shakes the camera about {names || "no axis"} for some minutes and stores new gains
         in profile {profile}. Balance the camera, fasten the frame and keep your hands off.
       </ArmSwitch>
-      <div class="row">
+      <div class="flow row">
         {axisNumbers.map((n) => (
           <Check
             key={n}
@@ -227,7 +227,7 @@ function BodePanel() {
           onChange={(value) => setNoise({ ...noise, [name]: value })}
         />
       ))}
-      <div class="row">
+      <div class="flow row">
         <Button disabled={!isArmed || task.isBusy} onClick={record}>Record the response</Button>
         {response && (
           <Button look="plain quiet" onClick={() => download(response.csv, "csv")}>

@@ -78,7 +78,7 @@ function SerialWay({ isPossible, connect }: WayProps) {
   };
   return (
     <>
-      <div class="row">
+      <div class="flow row">
         <TextInput
           label="Baud rate"
           type="number"
@@ -99,7 +99,7 @@ function SerialWay({ isPossible, connect }: WayProps) {
       <Button disabled={!isPossible || !ports} onClick={choose}>Connect by USB or serial</Button>
       <ul class="ports" aria-label="Ports that this page may use">
         {known.map((port, index) => (
-          <li key={index} class="row">
+          <li key={index} class="flow row">
             <span>{nameOf(port, index)}</span>
             <SmallButton
               label={`Connect to port ${index + 1}`}
@@ -124,7 +124,7 @@ function BridgeWay({ token: given, isPossible, connect }: WayProps & { token: st
   };
   return (
     <form onSubmit={submit}>
-      <div class="row">
+      <div class="flow row">
         <TextInput label="Address" type="url" value={url} onChange={setUrl} />
         <TextInput label="Token" type="password" value={token} onChange={setToken} />
       </div>

@@ -102,13 +102,13 @@ export function ParametersPanel() {
         take(event.dataTransfer?.files[0]);
       }}
     >
-      <div class="head">
+      <div class="flow apart head">
         <h2 id="parameters-title">Parameters</h2>
         {!read && (
           <Button disabled={!isPossible} onClick={readAll}>Read the parameters</Button>
         )}
         {read && (
-          <div class="row">
+          <div class="flow row">
             <SmallButton disabled={!isPossible} onClick={readAll}>Read again</SmallButton>
             <SmallButton disabled={!isPossible} onClick={backup}>Save a backup</SmallButton>
             <SmallButton disabled={!isPossible} onClick={() => chooser.current?.click()}>
@@ -141,7 +141,7 @@ export function ParametersPanel() {
       )}
       {read && (
         <>
-          <div class="row">
+          <div class="flow row">
             <label>
               Profile{" "}
               <Select
@@ -176,7 +176,7 @@ export function ParametersPanel() {
               onEdit={edit}
             />
           ))}
-          <div class="row changes">
+          <div class="flow row changes">
             <span role="status">{counts || "Nothing is changed"}</span>
             <SmallButton disabled={!counts} onClick={discard}>Discard</SmallButton>
             <Button
@@ -258,7 +258,7 @@ function ParameterRow({ parameter, edit, problem, onEdit }: Props) {
         <label for={id}>{path}</label> {summary}
         {general && <span class="muted"> The same in all profiles.</span>}
       </div>
-      <div class="row">
+      <div class="flow row">
         <Field
           id={id}
           parameter={parameter}
@@ -277,7 +277,7 @@ function ParameterRow({ parameter, edit, problem, onEdit }: Props) {
           </p>
         )}
       </div>
-      <div class="row muted">
+      <div class="flow row muted">
         <span>{rangeOf(parameter)}</span>
         {usual && <span>default {usual}</span>}
       </div>

@@ -34,7 +34,7 @@ export function Review({ plan, onWritten, onClose }: Props) {
     });
   return (
     <section ref={place} class="trial review" aria-labelledby="review-title">
-      <div class="head">
+      <div class="flow apart head">
         <h3 id="review-title">What would be written</h3>
         <SmallButton onClick={onClose}>Close</SmallButton>
       </div>
@@ -54,7 +54,7 @@ export function Review({ plan, onWritten, onClose }: Props) {
           may have to connect again.
         </p>
       )}
-      <div class="row">
+      <div class="flow row">
         <Button look="plain quiet" disabled={!isWritable} onClick={attempt}>
           Try on the emulated board
         </Button>

@@ -4,18 +4,9 @@ import { createContext } from "preact";
 import { useContext } from "preact/hooks";
 
 import type { Request, Work } from "../../setup_messages.js";
-import type { Axes } from "../../worker_messages.js";
 import { Session, type OnProgress, type Question } from "../session.js";
 
 export class Setup extends Session {
-  arm(on: boolean): void {
-    this.post({ kind: "arm", on });
-  }
-
-  hold(speeds: Axes): void {
-    this.post({ kind: "hold", speeds });
-  }
-
   async do<Name extends keyof Work>(
     name: Name,
     args: Parameters<Work[Name]>,

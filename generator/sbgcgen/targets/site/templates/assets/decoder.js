@@ -2,7 +2,8 @@
 "use strict";
 
 (() => {
-  const { element, counted, heading, inside, connect, hexByte } = decoderView;
+  const { element, copyButton } = sbgcPage;
+  const { counted, heading, inside, connect, hexByte } = decoderView;
   const get = (id) => document.getElementById(id);
   const form = get("decoder");
   const text = get("hex");
@@ -194,20 +195,8 @@
   }
 
   function actions(answer) {
-    const bar = element("p", { class: "actions" });
-    const copy = (label, what) => {
-      const button = element("button", { type: "button", class: "plain quiet small" }, label);
-      button.addEventListener("click", async () => {
-        try {
-          await navigator.clipboard.writeText(what());
-          button.textContent = "Copied";
-        } catch {
-          button.textContent = "Not allowed";
-        }
-        setTimeout(() => (button.textContent = label), 1500);
-      });
-      bar.append(button);
-    };
+    const bar = element("p", { class: "flow actions" });
+    const copy = (label, what) => bar.append(copyButton(label, what, { class: "plain quiet small" }));
     const hex = () => Array.from(answer.bytes, hexByte).join("");
     const way = answer.frame.direction === "from_board" ? "board" : "host";
     copy("Copy as JSON", () => JSON.stringify(answer.frame));
