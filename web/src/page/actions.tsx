@@ -17,7 +17,7 @@ export function CodeLine({ lines, about }: { lines: Lines; about: string }) {
   const { language } = useDesk();
   const [copied, setCopied] = useState("");
   const text = lines[language];
-  if (!text) return <p class="no-line">{missing[language]}</p>;
+  if (!text) return <p class="muted small says">{missing[language]}</p>;
   const copy = async (): Promise<void> => {
     try {
       await navigator.clipboard.writeText(text);

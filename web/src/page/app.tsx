@@ -128,7 +128,7 @@ export function App({ session }: { session: Session }) {
           <GimbalView />
           <Horizons />
           <Numbers />
-          <p class={outcome.isBad ? "outcome bad" : "outcome"} role="status">
+          <p class={outcome.isBad ? "outcome small bad" : "outcome small muted"} role="status">
             {outcome.text || notice}
           </p>
         </div>
@@ -168,7 +168,7 @@ function Share({ values }: { values: Values }) {
     }
   };
   return (
-    <p class="share">
+    <p class="small share">
       <SmallButton onClick={copy}>Link to these values</SmallButton>{" "}
       <span role="status">{said}</span>
     </p>

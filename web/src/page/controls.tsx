@@ -33,12 +33,14 @@ const pause = 150;
 const moveOf = ({ roll, pitch, yaw, speed }: Values) => moveTo([roll, pitch, yaw], speed);
 const speedsOf = (v: Values): Axes => [v["turn-roll"], v["turn-pitch"], v["turn-yaw"]];
 
-interface SlidersProps extends PanelProps {
+interface SlidersProps {
   rows: readonly (readonly [NumberName, string, string])[];
+  values: Partial<Values>;
+  set: (change: Partial<Values>) => void;
 }
 
 /** A row for each value, with its title and unit. */
-const Sliders = ({ rows, values, set }: SlidersProps) => (
+export const Sliders = ({ rows, values, set }: SlidersProps) => (
   <>
     {rows.map(([name, label, unit]) => (
       <SliderRow
@@ -46,7 +48,7 @@ const Sliders = ({ rows, values, set }: SlidersProps) => (
         label={label}
         unit={unit}
         limits={numbers[name]}
-        value={values[name]}
+        value={values[name] ?? numbers[name].usual}
         {...(unit === "°" ? { describe: (one) => angleWords(name as AxisName, one) } : {})}
         onChange={(value) => set({ [name]: value })}
       />
@@ -55,7 +57,7 @@ const Sliders = ({ rows, values, set }: SlidersProps) => (
 );
 
 const axisTitles = ["Roll", "Pitch", "Yaw"] as const;
-const angleRows = axisNames.map((axis, n) => [axis, axisTitles[n] ?? "", "°"] as const);
+export const angleRows = axisNames.map((axis, n) => [axis, axisTitles[n] ?? "", "°"] as const);
 const turnRows = axisNames.map((axis, n) => [`turn-${axis}`, axisTitles[n] ?? "", "°/s"] as const);
 
 export function BoardPanel({ values, set }: PanelProps) {

@@ -19,7 +19,7 @@ export function FaultPanel({ values, set }: PanelProps) {
       <h2 id="faults-title">Faults</h2>
       <div class="fault-columns">
         <fieldset class="faults">
-          <legend>Of the gimbal</legend>
+          <legend class="muted small">Of the gimbal</legend>
           {faults.map(({ name, label, parts: known }) => {
             const parts = values.faults[name];
             const usual = known.map((part) => part.usual);
@@ -46,7 +46,7 @@ export function FaultPanel({ values, set }: PanelProps) {
           })}
         </fieldset>
         <fieldset class="faults">
-          <legend>Of the line</legend>
+          <legend class="muted small">Of the line</legend>
           {lineFaults.map(({ key, label }) => (
             <Switch
               key={key}
@@ -60,7 +60,7 @@ export function FaultPanel({ values, set }: PanelProps) {
                 value={Number((values[key] * 100).toPrecision(6))}
                 onChange={(percent) => set({ [key]: percent / 100 })}
               />
-              <span class="unit">%</span>
+              <span class="muted small">%</span>
             </Switch>
           ))}
         </fieldset>
@@ -98,7 +98,7 @@ function PartInput({ label, part: { limits }, value, onChange }: PartProps) {
   return (
     <>
       <NumberInput {...shared} limits={limits} value={Number(value)} onChange={change} />
-      <span class="unit">{limits.unit}</span>
+      <span class="muted small">{limits.unit}</span>
     </>
   );
 }

@@ -64,7 +64,7 @@ export function SliderRow({ label, unit, limits, value, describe, onChange }: Sl
         onInput={(event) => onChange(event.currentTarget.valueAsNumber)}
       />
       <NumberInput id={id} limits={limits} value={value} onChange={onChange} />
-      <span class="unit">{unit}</span>
+      <span class="muted small">{unit}</span>
     </div>
   );
 }

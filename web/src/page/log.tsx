@@ -123,7 +123,7 @@ export function Log() {
       </div>
       {isOn && (
         <>
-          <fieldset class="flow kinds">
+          <fieldset class="flow small kinds">
             <legend class="hidden">Shown messages</legend>
             {kinds.map((kind) => (
               <Check

@@ -140,7 +140,7 @@ export function App({ session, token }: { session: Setup; token: string }) {
             <SmallButton onClick={() => session.end("disconnect")}>Disconnect</SmallButton>
           )}
         </Status>
-        <p class={isBad ? "outcome bad" : "outcome"} role="status">
+        <p class={isBad ? "outcome small bad" : "outcome small muted"} role="status">
           {isConnected ? outcome.text || notice : link.text}
         </p>
         {!board && <ConnectPanel token={token} isReady={isReady} onConnected={connected} />}
@@ -181,7 +181,7 @@ function Facts({ board: { serialNumber, line, lacks } }: { board: Connected }) {
     serialNumber && `serial number ${serialNumber}`,
   ];
   return (
-    <div class="flow row says">
+    <div class="flow row muted small says">
       <span>{facts.filter(Boolean).join(", ")}</span>
       {lacks.length > 0 && (
         <details>

@@ -172,7 +172,7 @@ function TunePanel() {
         </label>
       </div>
       <SliderRow label="Gain" unit="%" limits={gainLimits} value={gain} onChange={setGain} />
-      <p class="says">A low gain is stable, a high one holds the camera more firmly.</p>
+      <p class="muted small says">A low gain is stable, a high one holds the camera more firmly.</p>
       <Button disabled={!isArmed || task.isBusy || !names} onClick={tune}>Tune</Button>
       <TaskState task={task} onCancel={() => session.end("cancel")} />
       {isDone && (
@@ -243,18 +243,8 @@ function BodePanel() {
 
 function Curves({ response }: { response: Response }) {
   const place = useRef<HTMLDivElement>(null);
-  const problem = usePlots(place, curves, (plots) =>
+  const figures = usePlots(place, curves, (plots) =>
     curves.forEach(({ key }, n) => plots[n]?.draw([response.frequency, response[key]])),
   );
-  return (
-    <div class="charts stacked" ref={place}>
-      {problem && <p class="bad">{problem}</p>}
-      {curves.map(({ key, title }) => (
-        <figure key={key}>
-          <figcaption>{title}</figcaption>
-          <div data-chart={title} role="img" aria-label={title} />
-        </figure>
-      ))}
-    </div>
-  );
+  return <div class="stacked">{figures}</div>;
 }

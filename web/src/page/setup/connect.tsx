@@ -45,7 +45,7 @@ export function ConnectPanel({ token, isReady, onConnected }: Props) {
       ) : (
         <BridgeWay token={token} isPossible={isPossible} connect={connect} />
       )}
-      <p class="says">The page finds the settings of the line, and asks the board what it is.</p>
+      <p class="muted small says">The page finds the settings of the line, and asks the board what it is.</p>
       <TaskState task={task} onCancel={() => session.end("disconnect")} />
     </section>
   );
@@ -131,7 +131,7 @@ function BridgeWay({ token: given, isPossible, connect }: WayProps & { token: st
       <button type="submit" class="plain" disabled={!isPossible}>
         Connect to the bridge
       </button>
-      <p class="says">
+      <p class="muted small says">
         <code>sbgc bridge --ws PORT</code> prints both. The token stays in this page.
       </p>
     </form>

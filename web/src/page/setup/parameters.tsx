@@ -345,7 +345,7 @@ function Field({ id, parameter, value, isWrong, onChange }: FieldProps) {
         value={value}
         onInput={(event) => onChange(event.currentTarget.value)}
       />
-      {unit && <span class="unit">{unit}</span>}
+      {unit && <span class="muted small">{unit}</span>}
     </>
   );
 }
