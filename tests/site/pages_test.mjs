@@ -146,7 +146,8 @@ test("search finds a message, a command and a field, and leads there", inPage(as
     assert.ok((await page.locator("main").textContent()).includes(message.command), page.url());
     if (target === field) await page.locator(":target").waitFor();
   }
-  for (const [query, note] of [["accelerometr", "Showing “accelerometer” for “accelerometr”."], ["qqqqzzzz", "Nothing found."]]) {
+  const notes = { accelerometr: "Showing “accelerometer” for “accelerometr”.", qqqqzzzz: "Nothing found." };
+  for (const [query, note] of Object.entries(notes)) {
     await page.locator("#search").fill(query);
     await page.locator("#search-results .nothing", { hasText: note }).waitFor();
   }
@@ -189,8 +190,8 @@ test("the languages of an example are tabs; the choice holds for other pages", i
 }));
 
 for (const javaScriptEnabled of [true, false]) {
-  const how = javaScriptEnabled ? "" : ", also without JavaScript";
-  test(`the outline of a long page stays in view where there is room, and leads to its sections${how}`, inPage(async (page) => {
+  const how = javaScriptEnabled ? "" : ", without JavaScript";
+  test(`the outline of a long page stays in view and leads to its sections${how}`, inPage(async (page) => {
     for (const [name, isBeside] of [["messages/control.html", false], ["guides/streams.html", true]]) {
       await page.setViewportSize({ width: 1280, height: 700 });
       await page.goto(addressOf(name));

@@ -2,7 +2,7 @@
 
 import { Client, type Handlers, type Progress } from "./client.js";
 import type { Calibration, Check, Plan, Read, Response, Topic, Written } from "./setup_messages.js";
-import type { Wasm } from "./wasm.js";
+import { settingLines, type Wasm } from "./wasm.js";
 
 export type OnProgress = (progress: Progress) => void;
 
@@ -14,11 +14,6 @@ export interface BoardFacts {
   serialNumber: string;
   lacks: string[];
 }
-
-const settings = (values: Record<string, string>): string =>
-  Object.entries(values)
-    .map(([name, value]) => `${name}=${value.replaceAll("\n", " ")}\n`)
-    .join("");
 
 const now = (): string => `${new Date().toISOString().slice(0, 19)}Z`;
 
@@ -56,7 +51,7 @@ export class SetupClient extends Client {
   }
 
   plan(values: Record<string, string>, profile: number): Plan {
-    return this.#json("setup_plan", settings(values), profile);
+    return this.#json("setup_plan", settingLines(values), profile);
   }
 
   planFile(text: string, profile: number): Plan {
@@ -91,7 +86,7 @@ export class SetupClient extends Client {
   }
 
   calibrate(name: string, values: Record<string, string>, progressed: OnProgress): Promise<void> {
-    return this.#task("setup_calibrate", `${name}\n${settings(values)}`, progressed);
+    return this.#task("setup_calibrate", `${name}\n${settingLines(values)}`, progressed);
   }
 
   tune(axes: boolean[], gain: number, profile: number, progressed: OnProgress): Promise<void> {

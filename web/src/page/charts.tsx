@@ -12,9 +12,9 @@ import { onThemeChange } from "./theme.js";
 
 const perSecond = 20;
 const kinds = [
-  { key: "angles", title: "Angles of the camera, targets dashed", unit: "°", hasTargets: true },
-  { key: "speeds", title: "Speeds of the camera: how it vibrates", unit: "°/s" },
-  { key: "power", title: "Powers of the motors", unit: " %", hasZero: true },
+  { key: "angles", title: "Angles of the camera, targets dashed", unit: "°", hasTargets: true, columns: [0, 6] },
+  { key: "speeds", title: "Speeds of the camera: how it vibrates", unit: "°/s", columns: [6, 9] },
+  { key: "power", title: "Powers of the motors", unit: " %", hasZero: true, columns: [9] },
 ] as const;
 
 type Kind = PlotOptions & { key: string; title: string };
@@ -93,9 +93,10 @@ export function Charts() {
     });
     draw.current = () => {
       if (!isInSight || !plots.current.length || !history.times.length) return;
-      const { times, camera, targets, speeds, power } = history;
-      const columns = [[...camera, ...targets], speeds, power];
-      for (const [n, plot] of plots.current.entries()) plot.draw([times, ...(columns[n] ?? [])]);
+      const { times, columns } = history;
+      for (const [n, plot] of plots.current.entries()) {
+        plot.draw([times, ...columns.slice(...(kinds[n]?.columns ?? []))]);
+      }
       if (session.view) label(session.view);
     };
     const endViews = session.listen((report) => {

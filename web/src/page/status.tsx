@@ -20,7 +20,7 @@ export function Status({ title, onStop, children }: Props) {
   return (
     <div class="flow status">
       <p class="flow board">
-        <span class="identity">{title}</span>
+        <b>{title}</b>
         {view && (
           <>
             <span class={view.motorsOn ? "good" : "warn"}>
