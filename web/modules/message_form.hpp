@@ -36,11 +36,11 @@ class MessageForm {
 
   /// Writes a JSON list of fields. Each is {"path", "name", "kind", …}:
   ///
-  ///     group, axes        "fields"
-  ///     list               "fields", one for each element; "grows" with the most elements, if it
-  ///     can enum               "value", "names" flags              "value", "names" packed
-  ///     "parts", each with "name", "kind", "value", "names" and "unit" number, numbers, text,
-  ///     bytes   "value", "unit", "hint"
+  ///     group, axes     "fields"
+  ///     list            "fields", one for each element; "grows" with the most, if it can grow
+  ///     enum, flags     "value", "names"
+  ///     packed          "value"; "parts", each with "name", "kind", "value", "names" and "unit"
+  ///     number, numbers, text, bytes     "value", "unit", "hint"
   ///
   /// "optional" is set for what may be missing; its value is then "".
   void put_fields(web::JsonWriter& out) const;
