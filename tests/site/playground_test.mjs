@@ -201,11 +201,15 @@ test("a message page leads to the playground with the values of its form, unless
 
 test("the log decodes frames as `sbgc decode` does, and leads to their pages", () => play(async (page) => {
   await button(page, "Show the log").click();
-  await page.locator(".log details").first().waitFor();
-  await motorsOn(page);
-  await page.locator(".log details.host").first().waitFor();
   await page.locator(".log details").nth(20).waitFor();
-  await button(page, "Pause").click();
+  // Paused by the page itself, before new frames displace the request.
+  const paused = page.waitForFunction(() => {
+    const isThere = document.querySelector(".log details.host") !== null;
+    if (isThere) document.querySelector(".log button:last-child").click();
+    return isThere;
+  });
+  await motorsOn(page);
+  await paused;
   const entries = page.locator(".log details");
   await entries.evaluateAll((all) => all.forEach((one) => (one.open = true)));
   await page.locator(".log details:last-child pre").waitFor();
