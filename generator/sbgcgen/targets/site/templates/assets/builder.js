@@ -200,20 +200,13 @@
     const hex = frame.match(/../g).join(" ").toUpperCase();
     const shared = lines.filter(([, , secret]) => !secret);
     const values = shared.map(([path, text]) => `&${encodeURIComponent(path)}=${encodeURIComponent(text)}`);
-    result.append(
-      codeBlock("the frame", hex, "built-frame"),
-      element(
-        "p",
-        {},
-        element("a", { class: "button quiet small", href: `${root}decoder.html#hex=${frame}&from=host` }, "Open in the decoder"),
-        " ",
-        element("a", { class: "button quiet small built-link", href: `#build${values.join("")}` }, "Link to these values"),
-        // A link holds no secret.
-        ...(shared.length === lines.length
-          ? [" ", element("a", { class: "button quiet small built-trial", href: `${root}playground.html#send=${frame}` }, "Try it in the playground")]
-          : []),
-      ),
-    );
+    const links = element("p", { class: "flow" });
+    const add = (word, href, text) => links.append(element("a", { class: `button quiet small ${word}`, href }, text));
+    add("built-bytes", `${root}decoder.html#hex=${frame}&from=host`, "Open in the decoder");
+    add("built-link", `#build${values.join("")}`, "Link to these values");
+    // A link holds no secret.
+    if (shared.length === lines.length) add("built-trial", `${root}playground.html#send=${frame}`, "Try it in the playground");
+    result.append(codeBlock("the frame", hex, "built-frame"), links);
     for (const { word, title, code } of languages) {
       result.append(element("h3", {}, title), codeBlock(`the lines of ${title}`, code(lines), `built-${word}`));
     }

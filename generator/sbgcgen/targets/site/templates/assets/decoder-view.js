@@ -176,22 +176,9 @@ const decoderView = (() => {
     return result;
   }
 
-  /** Highlights bytes and rows of the same part together. */
-  function connect(inside) {
-    const mark = (event, on) => {
-      const part = event.target.closest?.("[data-part]")?.dataset.part;
-      if (part === undefined) return;
-      for (const same of inside.querySelectorAll(`[data-part="${part}"]`)) {
-        same.classList.toggle("lit", on);
-      }
-    };
-    inside.addEventListener("pointerover", (event) => mark(event, true));
-    inside.addEventListener("pointerout", (event) => mark(event, false));
-  }
-
   function inside(answer, item) {
     return item.kind === "gap" ? insideGap(answer, item) : insideFrame(answer);
   }
 
-  return { counted, heading, inside, connect, hexByte };
+  return { counted, heading, inside, hexByte };
 })();

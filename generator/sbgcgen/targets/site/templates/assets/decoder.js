@@ -2,8 +2,8 @@
 "use strict";
 
 (() => {
-  const { element, copyButton } = sbgcPage;
-  const { counted, heading, inside, connect, hexByte } = decoderView;
+  const { element, copyButton, connectParts } = sbgcPage;
+  const { counted, heading, inside, hexByte } = decoderView;
   const get = (id) => document.getElementById(id);
   const form = get("decoder");
   const text = get("hex");
@@ -191,7 +191,7 @@
     const item = items[answer.index];
     content.append(...inside(answer, item));
     if (item.kind === "frame") content.append(actions(answer));
-    connect(content);
+    connectParts(content);
   }
 
   function actions(answer) {
@@ -306,14 +306,12 @@
   });
   for (const radio of form.elements.from) radio.addEventListener("change", decode);
   form.addEventListener("submit", (event) => event.preventDefault());
-  get("clear").addEventListener("click", () => {
-    setText("");
-    text.focus();
-  });
-  get("held-drop").addEventListener("click", () => {
-    setText("");
-    text.focus();
-  });
+  for (const id of ["clear", "held-drop"]) {
+    get(id).addEventListener("click", () => {
+      setText("");
+      text.focus();
+    });
+  }
   get("held-kind").addEventListener("click", () => {
     hold({ ...held, hex: !held.hex });
     decode();

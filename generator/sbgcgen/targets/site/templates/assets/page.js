@@ -137,22 +137,24 @@ const sbgcPage = (() => {
     addEventListener("hashchange", openAddress);
   }
 
-  // Highlights bytes of a frame and their rows together.
-  for (const part of document.querySelectorAll("[data-part]")) {
-    const scope = part.closest("article") ?? document;
-    const mark = (on) => {
-      for (const same of scope.querySelectorAll(`[data-part="${CSS.escape(part.dataset.part)}"]`)) {
+  /** Highlights bytes of a frame and their rows together. */
+  function connectParts(scope) {
+    const mark = (event, on) => {
+      const part = event.target.closest?.("[data-part]")?.dataset.part;
+      if (part === undefined) return;
+      for (const same of scope.querySelectorAll(`[data-part="${CSS.escape(part)}"]`)) {
         same.classList.toggle("lit", on);
       }
     };
-    part.addEventListener("pointerenter", () => mark(true));
-    part.addEventListener("pointerleave", () => mark(false));
+    scope.addEventListener("pointerover", (event) => mark(event, true));
+    scope.addEventListener("pointerout", (event) => mark(event, false));
   }
+  for (const article of document.querySelectorAll("article")) connectParts(article);
   for (const cell of document.querySelectorAll("[data-row]")) {
     cell.addEventListener("click", () => {
       location.hash = encodeURIComponent(cell.dataset.row);
     });
   }
 
-  return { element, loadScript, copyButton, addCopyButton };
+  return { element, loadScript, copyButton, addCopyButton, connectParts };
 })();
