@@ -4,21 +4,18 @@
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import fs from "node:fs";
-import { createRequire } from "node:module";
 import os from "node:os";
 import path from "node:path";
-import { after, before, test } from "node:test";
+import { after, test } from "node:test";
 import vm from "node:vm";
 
-import { addressOf, launch, loadModule, model, pages, root, sbgc, site } from "./support.mjs";
+import { axeProblems, testsOf, visit } from "./browsing.mjs";
+import { addressOf, launch, messagesModule, model, pages, root, runPython, sbgc, site, startModule } from "./support.mjs";
 
-let browser;
-let wasm;
-before(async () => {
-  wasm = await loadModule();
-  browser = await launch();
-});
+const { call } = await startModule(messagesModule());
+const browser = await launch();
 after(() => browser.close());
+const inPage = testsOf(browser);
 
 /** The messages with a builder: their pages, and the frames of their examples. */
 const examples = pages()
@@ -31,15 +28,11 @@ const examples = pages()
   })
   .filter(({ name }) => name !== undefined);
 
+const exampleOf = (name) => examples.find((one) => one.name === name);
+const pageOf = (name) => exampleOf(name).page;
+
 /** What the module makes of the values of a form. */
-function build(name, frame, lines) {
-  const input = Buffer.from([name, frame, ...lines].join("\n"));
-  const pointer = wasm.input(input.length);
-  new Uint8Array(wasm.memory.buffer, pointer, input.length).set(input);
-  wasm.build();
-  const output = new Uint8Array(wasm.memory.buffer, wasm.output(), wasm.output_size());
-  return JSON.parse(new TextDecoder().decode(output));
-}
+const build = (name, frame, lines) => JSON.parse(call("build", Buffer.from([name, frame, ...lines].join("\n"))));
 
 const settings = (lines) => lines.map(([field, text]) => `${field}=${text}`);
 const leavesOf = (fields) => fields.flatMap((field) => (field.fields ? leavesOf(field.fields) : [field]));
@@ -122,7 +115,7 @@ function codes() {
   const all = [...examples.map(({ name, frame }) => [name, frame, []]), ...more.map(([name, lines]) => [name, "", lines])];
   return all.map(([name, from, given]) => {
     const { frame, lines } = build(name, from, given);
-    const { cpp, python } = make(name, JSON.parse(examples.find((e) => e.name === name).facts));
+    const { cpp, python } = make(name, JSON.parse(exampleOf(name).facts));
     return { name, frame, cpp: cpp(lines), python: python(lines) };
   });
 }
@@ -130,10 +123,7 @@ function codes() {
 test("the code in Python makes the same frames, most of them without text", () => {
   const wanted = codes();
   const program = wanted.map(({ python }) => `${python}\nprint(frame.hex())`).join("\n");
-  const PYTHONPATH = path.resolve(path.dirname(sbgc), "../python");
-  const ran = spawnSync("/usr/bin/python3", ["-"], { input: program, env: { ...process.env, PYTHONPATH } });
-  assert.equal(ran.stderr.toString(), "");
-  assert.deepEqual(ran.stdout.toString().trim().split("\n"), wanted.map(({ frame }) => frame));
+  assert.deepEqual(runPython(program).split("\n"), wanted.map(({ frame }) => frame));
   assert.ok(wanted.filter(({ python }) => !python.includes("assign(")).length > 0.7 * wanted.length);
   assert.ok(wanted.some(({ python }) => python.includes("msg.Control(\n    control_mode=msg.ControlMode(mode=msg.ControlModeKind.MODE_ANGLE")));
 });
@@ -158,20 +148,13 @@ test("the typed code in C++ makes the same frames", () => {
   assert.deepEqual(ran.stdout.toString().trim().split("\n"), typed.map(({ frame }) => frame));
 });
 
-/** Opens the builder of a page; fails at the end if an error occurred on the page. */
-async function withBuilder(file, work, hash = "") {
-  const context = await browser.newContext({ reducedMotion: "reduce" });
-  const page = await context.newPage();
-  const problems = [];
-  page.on("console", (message) => message.type() === "error" && problems.push(message.text()));
-  page.on("pageerror", (error) => problems.push(String(error)));
-  await page.goto(addressOf(file) + hash);
-  if (!hash) await page.locator("#builder summary").click();
-  await page.locator("#builder .built-frame, #builder .problem:visible").first().waitFor();
-  await work(page);
-  assert.deepEqual(problems, []);
-  await context.close();
-}
+/** Opens the builder of a page. */
+const withBuilder = (file, work, hash = "") =>
+  visit(browser, addressOf(file) + hash, async (page) => {
+    if (!hash) await page.locator("#builder summary").click();
+    await page.locator("#builder .built-frame, #builder .problem:visible").first().waitFor();
+    await work(page);
+  });
 
 const built = async (page, word = "frame") => page.locator(`.built-${word}`).textContent();
 const frameOf = async (page) => (await built(page)).replaceAll(" ", "").toLowerCase();
@@ -180,18 +163,15 @@ const frameOf = async (page) => (await built(page)).replaceAll(" ", "").toLowerC
 async function runLines(page) {
   const command = (await built(page, "command")).replace(/^sbgc/, `'${sbgc}'`);
   const said = spawnSync("bash", ["-c", `${command} --dry-run`]);
-  const python = `${await built(page, "python")}\nprint(frame.hex())`;
-  const PYTHONPATH = path.resolve(path.dirname(sbgc), "../python");
-  const ran = spawnSync("/usr/bin/python3", ["-c", python], { env: { ...process.env, PYTHONPATH } });
   return {
     command: said.stdout.toString().split("\n")[0] || said.stderr.toString(),
-    python: ran.stdout.toString().trim() || ran.stderr.toString(),
+    python: runPython(`${await built(page, "python")}\nprint(frame.hex())`),
   };
 }
 
 test("a page shows the frame of its example, and lines that make it", async () => {
   const names = ["Control", "DataStreamInterval", "SetAdjVarsVal", "MotorsOn", "WriteProfileNames", "RunScript"];
-  const wanted = names.map((name) => examples.find((e) => e.name === name)).filter(Boolean);
+  const wanted = names.map(exampleOf).filter(Boolean);
   assert.ok(wanted.length >= 4);
   for (const { page: file, frame } of wanted) {
     await withBuilder(file, async (page) => {
@@ -202,7 +182,7 @@ test("a page shows the frame of its example, and lines that make it", async () =
 });
 
 test("another value makes another frame, and a link that holds it", async () => {
-  const { page: file, frame } = examples.find((e) => e.name === "Control");
+  const { page: file, frame } = exampleOf("Control");
   await withBuilder(file, async (page) => {
     await page.locator("[id='build-axes.pitch.angle']").fill("-30");
     await page.getByRole("checkbox", { name: "CONTROL_FLAG_HIGH_RES_SPEED" }).check();
@@ -219,66 +199,51 @@ test("another value makes another frame, and a link that holds it", async () => 
   });
 });
 
-test("a wrong value has its sentence beside it, and there is no frame", async () => {
-  const { page: file } = examples.find((e) => e.name === "Control");
-  await withBuilder(file, async (page) => {
-    const field = page.locator("[id='build-axes.pitch.angle']");
-    await field.fill("800");
-    const problem = page.locator("[id='build-axes.pitch.angle-problem']");
-    await problem.waitFor();
-    assert.match(await problem.textContent(), /does not fit: -720 deg to 719\.978 deg/);
-    assert.equal(await field.getAttribute("aria-invalid"), "true");
-    assert.equal(await page.locator(".built-frame").count(), 0);
-    await field.fill("80");
-    await page.locator(".built-frame").waitFor();
-    assert.ok(await problem.isHidden());
-    assert.equal(await field.getAttribute("aria-invalid"), null);
-  });
-});
+test("a wrong value has its sentence beside it, and there is no frame", () => withBuilder(pageOf("Control"), async (page) => {
+  const field = page.locator("[id='build-axes.pitch.angle']");
+  await field.fill("800");
+  const problem = page.locator("[id='build-axes.pitch.angle-problem']");
+  await problem.waitFor();
+  assert.match(await problem.textContent(), /does not fit: -720 deg to 719\.978 deg/);
+  assert.equal(await field.getAttribute("aria-invalid"), "true");
+  assert.equal(await page.locator(".built-frame").count(), 0);
+  await field.fill("80");
+  await page.locator(".built-frame").waitFor();
+  assert.ok(await problem.isHidden());
+  assert.equal(await field.getAttribute("aria-invalid"), null);
+}));
 
-test("lists grow and shrink", async () => {
-  const { page: file } = examples.find((e) => e.name === "SetAdjVarsVal");
-  await withBuilder(file, async (page) => {
-    const before = await frameOf(page);
-    await page.getByRole("button", { name: "Add one" }).click();
-    await page.waitForFunction((text) => document.querySelector(".built-frame").textContent.length > text, before.length * 1.5);
-    const longer = await frameOf(page);
-    assert.ok(longer.length > before.length);
-    assert.deepEqual(await runLines(page), { command: longer, python: longer });
-    await page.getByRole("button", { name: "Remove the last" }).click();
-    await page.waitForFunction((text) => document.querySelector(".built-frame").textContent.length < text, longer.length * 1.5 - 1);
-    assert.equal(await frameOf(page), before);
-  });
-});
+test("lists grow and shrink", () => withBuilder(pageOf("SetAdjVarsVal"), async (page) => {
+  const before = await frameOf(page);
+  await page.getByRole("button", { name: "Add one" }).click();
+  await page.waitForFunction((text) => document.querySelector(".built-frame").textContent.length > text, before.length * 1.5);
+  const longer = await frameOf(page);
+  assert.ok(longer.length > before.length);
+  assert.deepEqual(await runLines(page), { command: longer, python: longer });
+  await page.getByRole("button", { name: "Remove the last" }).click();
+  await page.waitForFunction((text) => document.querySelector(".built-frame").textContent.length < text, longer.length * 1.5 - 1);
+  assert.equal(await frameOf(page), before);
+}));
 
 test("axe-core has nothing to say about an open builder, nor about one with a problem", async () => {
-  const axe = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
   for (const name of ["Control", "SetAdjVarsVal"]) {
-    const { page: file } = examples.find((e) => e.name === name);
-    await withBuilder(file, async (page) => {
-      await page.addScriptTag({ path: axe });
+    await withBuilder(pageOf(name), async (page) => {
       await page.locator("#builder input[type=text]").first().fill("x");
       await page.locator("#builder .problem:visible").first().waitFor();
-      const { violations } = await page.evaluate(() =>
-        globalThis.axe.run(document.querySelector("#builder"), { preload: false }),
-      );
-      assert.deepEqual(violations.map((v) => `${v.id}: ${v.nodes.map((n) => n.target)}`), []);
+      assert.deepEqual(await axeProblems(page, "#builder"), []);
     });
   }
 });
 
-test("nothing of the builder is loaded before it is opened, and without JavaScript there is none", async () => {
-  const { page: file } = examples.find((e) => e.name === "Control");
-  const page = await browser.newPage();
+test("nothing of the builder is loaded before it is opened", inPage(async (page) => {
   const requests = [];
   page.on("request", (request) => requests.push(request.url()));
-  await page.goto(addressOf(file));
+  await page.goto(addressOf(pageOf("Control")));
   await page.locator("#builder summary").waitFor();
   assert.ok(!requests.some((url) => url.includes("-module")), requests.join());
-  await page.close();
-  const context = await browser.newContext({ javaScriptEnabled: false });
-  const plain = await context.newPage();
-  await plain.goto(addressOf(file));
-  assert.ok(await plain.locator("#builder").isHidden());
-  await context.close();
-});
+}));
+
+test("without JavaScript there is no builder", inPage(async (page) => {
+  await page.goto(addressOf(pageOf("Control")));
+  assert.ok(await page.locator("#builder").isHidden());
+}, { javaScriptEnabled: false }));

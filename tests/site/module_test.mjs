@@ -5,9 +5,9 @@ import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import fs from "node:fs";
 import path from "node:path";
-import { before, test } from "node:test";
+import { test } from "node:test";
 
-import { frame, loadModule, model, root, sbgc, site, vectors } from "./support.mjs";
+import { frame, messagesModule, model, root, sbgc, site, startModule, vectors } from "./support.mjs";
 
 const assets = path.join(site, "assets");
 const { decoderEngine } = (() => {
@@ -17,58 +17,24 @@ const { decoderEngine } = (() => {
   return module.exports;
 })();
 
-/** The module itself, fed in chunks. */
-class Module {
-  static async create() {
-    const module = new Module();
-    module.wasm = await loadModule();
-    return module;
-  }
+const { call } = await startModule(messagesModule());
 
-  /** Returns the lines of output, as text. */
-  decode(input, { from = "auto", hex = false, pieces = 1 << 16 } = {}) {
-    const { wasm } = this;
-    const lines = [];
-    const take = () => {
-      const bytes = new Uint8Array(wasm.memory.buffer, wasm.output(), wasm.output_size());
-      lines.push(...new TextDecoder().decode(bytes).split("\n").slice(0, -1));
-    };
-    wasm.start(["auto", "host", "board"].indexOf(from), hex);
-    for (let at = 0; at < input.length; at += pieces) {
-      const piece = input.subarray(at, at + pieces);
-      const pointer = wasm.input(piece.length);
-      new Uint8Array(wasm.memory.buffer, pointer, piece.length).set(piece);
-      wasm.feed();
-      take();
-    }
-    wasm.finish();
-    take();
-    return lines;
-  }
-
-  frames(input, options) {
-    return this.decode(input, options)
-      .filter((line) => line.startsWith('{"frame":'))
-      .map((line) => JSON.parse(line));
-  }
+/** Returns the lines of output of the module, fed in pieces, as text. */
+function decode(input, { from = "auto", hex = false, pieces = 1 << 16 } = {}) {
+  call("start", null, ["auto", "host", "board"].indexOf(from), hex);
+  let text = "";
+  for (let at = 0; at < input.length; at += pieces) text += call("feed", input.subarray(at, at + pieces));
+  return (text + call("finish")).split("\n").slice(0, -1);
 }
 
-let module;
-before(async () => {
-  module = await Module.create();
-});
-
-function command(input, ...options) {
-  const maxBuffer = 64 << 20;
-  const result = spawnSync(sbgc, ["decode", "--format", "jsonl", ...options], { input, maxBuffer });
-  return { status: result.status, lines: result.stdout.toString().split("\n").slice(0, -1) };
-}
+const isFrame = (line) => line.startsWith('{"frame":');
+const framesIn = (input, options) => decode(input, options).filter(isFrame).map((line) => JSON.parse(line));
 
 /** Asserts that the module prints the same line for each frame as the command. */
 function agree(input, from, hex = false) {
-  const expected = command(input, "--from", from, ...(hex ? ["--hex"] : [])).lines;
-  const lines = module.decode(input, { from, hex });
-  const found = lines.filter((line) => line.startsWith('{"frame":'));
+  const options = ["decode", "--format", "jsonl", "--from", from, ...(hex ? ["--hex"] : [])];
+  const expected = spawnSync(sbgc, options, { input, maxBuffer: 64 << 20 }).stdout.toString().split("\n").slice(0, -1);
+  const found = decode(input, { from, hex }).filter(isFrame);
   assert.equal(found.length, expected.length);
   for (const [i, line] of expected.entries()) {
     const start = `{"frame":${line},"size":`;
@@ -96,7 +62,7 @@ test("every vector decodes to what the reference codec says", () => {
   let compared = 0;
   for (const vector of decodable) {
     const from = vector.after ? "auto" : vector.direction === "to_board" ? "host" : "board";
-    const found = module.frames(ofVector(vector), { from });
+    const found = framesIn(ofVector(vector), { from });
     assert.equal(found.length, 1 + (vector.after ?? []).length);
     const { frame: last } = found.at(-1);
     assert.equal(last.id, vector.id);
@@ -141,11 +107,11 @@ test("captures give the lines that the command prints", () => {
 
 test("pieces of any size give the same", () => {
   const all = Buffer.concat(decodable.slice(0, 300).map(ofVector));
-  const whole = module.decode(all);
-  for (const pieces of [1, 7, 300]) assert.deepEqual(module.decode(all, { pieces }), whole);
+  const whole = decode(all);
+  for (const pieces of [1, 7, 300]) assert.deepEqual(decode(all, { pieces }), whole);
   const hex = Buffer.from(all.toString("hex").replace(/(..)/g, "$1 "));
   const ofText = whole.map((line) => line.replace('"reading":"raw bytes"', '"reading":"hex text"'));
-  for (const pieces of [1, 5, 1000]) assert.deepEqual(module.decode(hex, { hex: true, pieces }), ofText);
+  for (const pieces of [1, 5, 1000]) assert.deepEqual(decode(hex, { hex: true, pieces }), ofText);
 });
 
 test("rows stand where the model says, and cover every byte that is not 0", () => {
@@ -160,7 +126,7 @@ test("rows stand where the model says, and cover every byte that is not 0", () =
   for (const vector of decodable) {
     if (vector.error || vector.after || "chosen" in vector) continue;
     const from = vector.direction === "to_board" ? "host" : "board";
-    const [{ frame: found, rows, body, checksum }] = module.frames(ofVector(vector), { from });
+    const [{ frame: found, rows, body, checksum }] = framesIn(ofVector(vector), { from });
     assert.notEqual(found.message, null, JSON.stringify(vector));
     const bytes = Buffer.from(vector.hex, "hex");
     let end = body;
@@ -188,7 +154,7 @@ test("bad hex has a place and a reason, and what is before it is decoded", () =>
     "é": [2, 1, "byte 0xc3 is not a hex digit"],
   };
   for (const [text, [line, column, reason]] of Object.entries(cases)) {
-    const lines = module.decode(Buffer.from(good + text), { hex: true }).map((l) => JSON.parse(l));
+    const lines = decode(Buffer.from(good + text), { hex: true }).map((l) => JSON.parse(l));
     assert.equal(lines[0].frame.command, "CMD_BOARD_INFO");
     const { text_error: error } = lines.find((l) => l.text_error);
     assert.deepEqual(error, { reading: "hex text", line, column, reason });
@@ -200,13 +166,13 @@ test("bad hex has a place and a reason, and what is before it is decoded", () =>
 test("the summary counts", () => {
   const noise = Buffer.from([0, 1, 0x3e, 0x3e, 5]);
   const input = Buffer.concat([noise, frame(86, []), frame(86, []).subarray(0, 4)]);
-  const { end } = JSON.parse(module.decode(input).at(-1));
+  const { end } = JSON.parse(decode(input).at(-1));
   const expected = { bytes: 14, frames: 1, skipped_bytes: 9, body_errors: 0, incomplete: 1 };
   for (const [key, value] of Object.entries(expected)) assert.equal(end[key], value, key);
 });
 
 test("the module is small", () => {
-  const size = Buffer.from(globalThis.sbgcMessagesModule, "base64").length;
+  const size = messagesModule().length;
   assert.ok(size < 620_000, `${size} bytes`);
 });
 
@@ -231,9 +197,11 @@ class Engine {
       await new Promise((resolve) => (this.waiting = resolve));
     }
   }
-  async load() {
-    this.say({ type: "load", module: globalThis.sbgcMessagesModule });
-    await this.hear((message) => message.type === "ready");
+  static async load() {
+    const engine = new Engine();
+    engine.say({ type: "load", module: globalThis.sbgcMessagesModule });
+    await engine.hear((message) => message.type === "ready");
+    return engine;
   }
   async decode(job, data, options = {}) {
     this.say({ type: "decode", job, data, hex: true, from: "auto", ...options });
@@ -248,8 +216,7 @@ class Engine {
 }
 
 test("the engine lists frames and gaps without holes and tells everything about each", async () => {
-  const engine = new Engine();
-  await engine.load();
+  const engine = await Engine.load();
   const broken = frame(67, [77]);
   broken[5] ^= 1;
   const input = Buffer.concat([
@@ -285,8 +252,7 @@ test("the engine lists frames and gaps without holes and tells everything about 
 });
 
 test("frames without their start bytes are shown as what is in no frame", async () => {
-  const engine = new Engine();
-  await engine.load();
+  const engine = await Engine.load();
   const [item] = await engine.decode(1, "58 08 60 c1 0e fd ff 0c 00 49 00");
   assert.equal(item.kind, "gap");
   const [[at, reason, , message, rows]] = (await engine.details(1, 0, item)).misses;
@@ -297,8 +263,7 @@ test("frames without their start bytes are shown as what is in no frame", async 
 });
 
 test("who sent the bytes decides what they nearly are", async () => {
-  const engine = new Engine();
-  await engine.load();
+  const engine = await Engine.load();
   const broken = frame(67, Array(15).fill(0));
   broken[19] = 1;
   const said = async (job, options) => {
@@ -313,8 +278,7 @@ test("who sent the bytes decides what they nearly are", async () => {
 });
 
 test("a new input cancels the one before", async () => {
-  const engine = new Engine();
-  await engine.load();
+  const engine = await Engine.load();
   const long = frame(77, []).toString("hex").repeat(200_000);
   engine.say({ type: "decode", job: 1, data: long, hex: true, from: "auto" });
   await engine.hear((message) => message.job === 1);
@@ -324,8 +288,7 @@ test("a new input cancels the one before", async () => {
 });
 
 test("an empty input is an input", async () => {
-  const engine = new Engine();
-  await engine.load();
+  const engine = await Engine.load();
   assert.deepEqual(await engine.decode(1, "# nothing"), []);
 });
 
@@ -334,16 +297,10 @@ test("an empty input is an input", async () => {
 const client = path.join(root, "build/wasm/web/modules/sbgc_passive_client.wasm");
 
 test("the client without threads and its program for this machine agree on every byte", async () => {
-  const module = await WebAssembly.compile(fs.readFileSync(client));
+  const { call: callClient, needed } = await startModule(fs.readFileSync(client));
   // What the C library wants for messages before it ends the program: no clock, no random numbers.
-  const needed = WebAssembly.Module.imports(module).map(({ name }) => name);
   for (const name of needed) assert.match(name, /^(fd_(close|seek|write|fdstat_get)|proc_exit)$/);
-  const files = Object.fromEntries(needed.map((name) => [name, () => 8]));
-  const { exports } = await WebAssembly.instantiate(module, { wasi_snapshot_preview1: files });
-  exports._initialize();
-  exports.run();
-  const bytes = new Uint8Array(exports.memory.buffer, exports.output(), exports.output_size());
-  const lines = new TextDecoder().decode(bytes).split("\n");
+  const lines = callClient("run").split("\n");
 
   const program = spawnSync(process.env.SBGC_PASSIVE_CLIENT, { encoding: "utf8", maxBuffer: 64 << 20 });
   assert.equal(program.status, 0);

@@ -2,19 +2,17 @@
 
 import assert from "node:assert/strict";
 import fs from "node:fs";
-import { createRequire } from "node:module";
 import os from "node:os";
 import path from "node:path";
-import { after, before, test } from "node:test";
+import { after, test } from "node:test";
 import { fileURLToPath } from "node:url";
 
-import { addressOf, forEachItem, launch, model, pages, site } from "./support.mjs";
+import { axeProblems, testsOf } from "./browsing.mjs";
+import { addressOf, forEachItem, launch, model, pages, site, slug } from "./support.mjs";
 
 const all = pages();
-let browser;
-before(async () => {
-  browser = await launch();
-});
+const browser = await launch();
+const inPage = testsOf(browser);
 after(() => browser.close());
 
 /** Loads a page of the site. Returns errors and all requested addresses. */
@@ -90,8 +88,7 @@ for (const [width, names] of [
   });
 }
 
-test("a page that fails is noticed", async () => {
-  const page = await browser.newPage({ viewport: { width: 320, height: 600 } });
+test("a page that fails is noticed", inPage(async (page) => {
   const name = path.join(os.tmpdir(), `sbgc-broken-${process.pid}.html`);
   const body = '<img src="missing.png"><script>nonsense()</script><p style="width: 400px">wide';
   fs.writeFileSync(name, `<!DOCTYPE html><title>x</title>${body}`);
@@ -100,8 +97,7 @@ test("a page that fails is noticed", async () => {
   assert.match(problems.join("\n"), /failed: .*missing\.png/);
   assert.match(problems.join("\n"), /exception: .*nonsense/);
   assert.match((await page.evaluate(overflowing, 320)).join("\n"), /width: 400px/);
-  await page.close();
-});
+}, { viewport: { width: 320, height: 600 } }));
 
 // These take long, and are tables like those of the units, the enums and the availability.
 const alike = ["messages.html", "variables.html"];
@@ -112,40 +108,27 @@ for (const [colorScheme, width, names, rules] of [
   ["dark", 390, small(samples()), ["color-contrast"]],
 ]) {
   test(`axe-core has nothing to say about ${colorScheme} pages of ${width} pixels`, async () => {
-    const axe = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
     const problems = [];
     // The policy of the playground forbids scripts from elsewhere, such as this one.
     const look = { colorScheme, viewport: { width, height: 900 }, bypassCSP: true };
     await forEachItem(browser, names, look, async (page, name) => {
       await visit(page, name);
-      await page.addScriptTag({ path: axe });
-      // Preloading would load the style sheets again, which is not allowed for file URLs.
-      const { violations } = await page.evaluate(
-        (runOnly) => globalThis.axe.run({ preload: false, ...(runOnly && { runOnly }) }),
-        rules,
-      );
-      for (const { id, help, nodes } of violations) {
-        const where = nodes.map((node) => node.target.join(" ")).slice(0, 3);
-        problems.push(`${name}: ${id}: ${help}: ${where.join(", ")}`);
-      }
+      problems.push(...(await axeProblems(page, "html", rules)).map((problem) => `${name}: ${problem}`));
     });
     assert.deepEqual(problems, []);
   });
 }
 
-test("the start page weighs less than 300 kB", async () => {
-  const page = await browser.newPage();
+test("the start page weighs less than 300 kB", inPage(async (page) => {
   const { requests } = await visit(page, "index.html");
   const files = new Set(requests.filter((url) => url.startsWith("file:")));
-  await page.close();
   const sizes = [...files].map((url) => fs.statSync(fileURLToPath(url)).size);
   const weight = sizes.reduce((sum, size) => sum + size, 0);
   assert.ok(files.size > 3);
   assert.ok(weight < 300_000, `${weight} bytes: ${[...files].join(" ")}`);
-});
+}));
 
-test("search finds a message, a command and a field, and leads there", async () => {
-  const page = await browser.newPage({ reducedMotion: "reduce" });
+test("search finds a message, a command and a field, and leads there", inPage(async (page) => {
   const { messages } = model();
   const message = messages.find((m) => m.layout.some((leaf) => leaf.path.startsWith("axes.")));
   const leaf = message.layout.find((l) => l.path.startsWith("axes.") && !l.reserved);
@@ -163,110 +146,25 @@ test("search finds a message, a command and a field, and leads there", async () 
     assert.ok((await page.locator("main").textContent()).includes(message.command), page.url());
     if (target === field) await page.locator(":target").waitFor();
   }
-  await page.locator("#search").fill("qqqqzzzz");
-  await page.locator("#search-results", { hasText: "Nothing found" }).waitFor();
-  await page.close();
-});
-
-/** Returns the names of the first search results for a query, and the line above them. */
-async function search(page, query) {
-  await page.locator("#search").fill(query);
-  await page.waitForFunction(
-    (text) => document.querySelector("#search-results")?.dataset.query === text,
-    query,
-  );
-  return {
-    names: await page.locator("#search-results a .name").allTextContents(),
-    pages: await page.locator("#search-results a").evaluateAll((all) => all.map((a) => a.getAttribute("href"))),
-    abouts: await page.locator("#search-results a").allTextContents(),
-    note: (await page.locator("#search-results .nothing").allTextContents()).join(),
-  };
-}
-
-test("search finds guides, units, synonyms and near spellings; twins are one entry", async () => {
-  const page = await browser.newPage({ reducedMotion: "reduce" });
-  await visit(page, "index.html");
-  await page.keyboard.press("/");
-
-  const guide = await search(page, "safety");
-  assert.equal(guide.names[0], "Safety");
-  assert.ok(guide.pages[0].endsWith("guides/safety.html"));
-  const section = await search(page, "lost line");
-  assert.match(section.pages[0], /guides\/(streams|safety).html#.*lost/);
-  const prose = await search(page, "pinch");
-  assert.ok(prose.pages[0].includes("guides/safety.html"), "a word in the text of a guide");
-
-  const { quantities, messages } = model();
-  const volts = await search(page, "volt");
-  assert.ok(quantities.some((q) => q.unit === "V" && volts.names.slice(0, 3).includes(q.name)), volts.names.slice(0, 3).join());
-  assert.ok(volts.pages.some((target) => target.includes("#field-")), "fields in volts, too");
-  assert.ok((await search(page, "deg/s")).pages.some((target) => target.includes("units/")));
-
-  const tuning = await search(page, "tuning");
-  assert.ok(tuning.names.includes("ReadParams3.axes.*.p"), tuning.names.join());
-
-  const same = await search(page, "velocity");
-  assert.equal(same.note, "");
-  assert.ok(same.names.some((name) => /speed/i.test(name)), same.names.join());
-
-  for (const [query, meant, name] of [
-    ["accelerometr", "accelerometer", /./],
-    ["contorl", "control", /^Control$/],
-    ["gyroscpoe", "gyroscope", /./],
-  ]) {
-    const near = await search(page, query);
-    assert.match(near.note, new RegExp(`Showing “${meant}” for “${query}”`));
-    assert.match(near.names[0], name);
+  const notes = { accelerometr: "Showing “accelerometer” for “accelerometr”.", qqqqzzzz: "Nothing found." };
+  for (const [query, note] of Object.entries(notes)) {
+    await page.locator("#search").fill(query);
+    await page.locator("#search-results .nothing", { hasText: note }).waitFor();
   }
-  assert.equal((await search(page, "qqqqzzzz")).note, "Nothing found.");
+}));
 
-  const write = messages.find((m) => m.stores && m.command.includes("WRITE"));
-  for (const [query, first, other] of [
-    [write.stores, write.stores, write.name],
-    [write.name, write.name, write.stores],
-  ]) {
-    const twins = await search(page, query);
-    assert.equal(twins.names[0], first);
-    assert.ok(twins.abouts[0].includes(`with ${other}`), twins.abouts[0]);
-    assert.ok(!twins.names.slice(1).includes(other), "twins are one entry");
-  }
-  const field = await search(page, `${write.name} gyro_trust`);
-  assert.equal(field.names[0], `${write.stores}.gyro_trust`);
-  await page.close();
-});
-
-test("search finds what comes from a line of the specification", async () => {
-  const page = await browser.newPage({ reducedMotion: "reduce" });
-  await visit(page, "index.html");
-  await page.keyboard.press("/");
-  for (const { name, source } of model().messages.filter((m) => /L\d+-L\d+/.test(m.source)).slice(0, 12)) {
-    const [, first, last] = /L(\d+)-L(\d+)/.exec(source).map(Number);
-    const { abouts } = await search(page, `L${(first + last) >> 1}`);
-    assert.ok(abouts.some((text) => text.includes(name)), `${name}: ${abouts.join()}`);
-  }
-  assert.equal((await search(page, "L99999")).note, "Nothing found.");
-  await page.close();
-});
-
-test("what moves has a badge that leads to what it does, and a link to the page about safety", async () => {
-  const page = await browser.newPage({ reducedMotion: "reduce" });
+test("what moves has a badge that leads to what it does, and a link to the page about safety", inPage(async (page) => {
   const moving = model().messages.filter((m) => m.effect?.does.includes("moves"));
   assert.ok(moving.length > 5);
   for (const { name } of moving.slice(0, 3)) {
-    await visit(page, "index.html");
-    await page.keyboard.press("/");
-    await search(page, name);
-    await page.locator("#search-results a").first().click();
+    await visit(page, `messages/${slug(name)}.html`);
     await page.locator("h1 + p a.effect", { hasText: "moves" }).click();
     await page.locator("#effect:target a[href*='guides/safety.html']").click();
     assert.equal(await page.locator("h1").textContent(), "Safety");
   }
-  await page.close();
-});
+}));
 
-test("the languages of an example are tabs; the choice holds for other pages", async () => {
-  const context = await browser.newContext({ reducedMotion: "reduce" });
-  const page = await context.newPage();
+test("the languages of an example are tabs; the choice holds for other pages", inPage(async (page) => {
   const [first, second] = all.filter((file) => file.startsWith("messages/"));
   const shown = async () => {
     const tabs = page.getByRole("tab", { selected: true });
@@ -289,13 +187,11 @@ test("the languages of an example are tabs; the choice holds for other pages", a
   assert.equal(await shown(), "Bytes");
   await page.emulateMedia({ media: "print" });
   assert.equal(await page.locator(".tab:visible").count(), names.length);
-  await context.close();
-});
+}));
 
-test("the outline of a long page stays in view, where there is room, and leads to its sections", async () => {
-  for (const javaScriptEnabled of [true, false]) {
-    const context = await browser.newContext({ javaScriptEnabled, reducedMotion: "reduce" });
-    const page = await context.newPage();
+for (const javaScriptEnabled of [true, false]) {
+  const how = javaScriptEnabled ? "" : ", without JavaScript";
+  test(`the outline of a long page stays in view and leads to its sections${how}`, inPage(async (page) => {
     for (const [name, isBeside] of [["messages/control.html", false], ["guides/streams.html", true]]) {
       await page.setViewportSize({ width: 1280, height: 700 });
       await page.goto(addressOf(name));
@@ -317,12 +213,10 @@ test("the outline of a long page stays in view, where there is room, and leads t
       assert.ok(await outline.isHidden());
       await page.emulateMedia({ media: "screen" });
     }
-    await context.close();
-  }
-});
+  }, { javaScriptEnabled }));
+}
 
-test("names in the menu are whole", async () => {
-  const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
+test("names in the menu are whole", inPage(async (page) => {
   await visit(page, all.find((name) => name.startsWith("messages/i2c-read-reg-buf-request")));
   const cut = await page.locator("#menu a").evaluateAll((links) =>
     links
@@ -330,11 +224,9 @@ test("names in the menu are whole", async () => {
       .map((a) => a.textContent),
   );
   assert.deepEqual(cut, []);
-  await page.close();
-});
+}, { viewport: { width: 1280, height: 800 } }));
 
-test("the example of a message opens in the decoder", async () => {
-  const page = await browser.newPage({ reducedMotion: "reduce" });
+test("the example of a message opens in the decoder", inPage(async (page) => {
   for (const name of all.filter((file) => file.startsWith("messages/")).slice(0, 5)) {
     await visit(page, name);
     const title = await page.locator("h1 small").textContent();
@@ -343,14 +235,10 @@ test("the example of a message opens in the decoder", async () => {
     const names = await page.locator(".opener .what .muted").allTextContents();
     assert.equal(names.at(-1), title);
   }
-  await page.close();
-});
+}));
 
-test("without JavaScript there is the content and a menu", async () => {
-  const context = await browser.newContext({ javaScriptEnabled: false, reducedMotion: "reduce" });
-  for (const width of [1280, 390]) {
-    const page = await context.newPage();
-    await page.setViewportSize({ width, height: 800 });
+for (const width of [1280, 390]) {
+  test(`without JavaScript there is the content and a menu, ${width} pixels wide`, inPage(async (page) => {
     await page.goto(addressOf("index.html"));
     await page.locator("h1").waitFor();
     if (width < 960) await page.locator(".menu-button").click();
@@ -360,10 +248,8 @@ test("without JavaScript there is the content and a menu", async () => {
     await hint.waitFor();
     assert.match(await hint.textContent(), /sbgc decode --hex/);
     assert.ok(await page.locator("#search").isHidden());
-    await page.close();
-  }
-  await context.close();
-});
+  }, { javaScriptEnabled: false, viewport: { width, height: 800 } }));
+}
 
 test("on paper there is the content without bars and menus", async () => {
   const problems = [];

@@ -4,29 +4,23 @@ import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import fs from "node:fs";
 import path from "node:path";
-import { after, before, test } from "node:test";
+import { after, test } from "node:test";
 import zlib from "node:zlib";
 
-import { button, checkLook, outcome, tabTo, told, visit } from "./application.mjs";
+import { button, checkLook, looks, outcome, spy, tabTo, testsOf, told, visit } from "./browsing.mjs";
 import { addressOf, launch, root, sbgc, serve, site } from "./support.mjs";
 
-let browser;
-let server;
-before(async () => {
-  browser = await launch(["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--js-flags=--expose-gc"]);
-  server = await serve();
-});
-after(async () => {
-  await browser.close();
-  server.close();
-});
+const browser = await launch(["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--js-flags=--expose-gc"]);
+const server = await serve();
+const inPage = testsOf(browser);
+after(() => Promise.all([browser.close(), server.close()]));
 
 /** Opens the playground, and runs `work(page)` when the gimbal is there. */
-const play = (work, { hash = "", ...options } = {}) =>
+const play = (work, { hash = "", prepare = [], ...look } = {}) =>
   visit(browser, `${server.address}playground.html${hash}`, async (page) => {
     await button(page, "Motors off").and(page.locator(":enabled")).waitFor();
     await work(page);
-  }, options);
+  }, { ...look, prepare: [spy, ...prepare] });
 
 const axisOfScene = (page) => page.evaluate(() => globalThis.sbgcPlayground.opticalAxis());
 
@@ -45,41 +39,37 @@ async function findings(page) {
   return found.evaluateAll((all) => all.map((one) => one.dataset.finding));
 }
 
-test("a move to 30 degrees down and 40 right is where the lens of the scene points", async () => {
-  await play(async (page) => {
-    await motorsOn(page);
-    await page.getByLabel("Yaw", { exact: true }).first().fill("40");
-    await page.getByLabel("Pitch", { exact: true }).first().fill("30");
-    await button(page, "Move").click();
-    await outcome(page, "Move: done");
-    await page.waitForFunction(() => globalThis.sbgcPlayground.opticalAxis());
-    await page.waitForTimeout(300); // for the next view
-    const [right, up, forward] = await axisOfScene(page);
-    const degrees = (radians) => (radians * 180) / Math.PI;
-    assert.ok(Math.abs(degrees(Math.asin(-up)) - 30) < 0.5, `${degrees(Math.asin(-up))} down`);
-    assert.ok(Math.abs(degrees(Math.atan2(right, forward)) - 40) < 0.5, "to the right");
-    assert.match(await page.locator(".numbers").textContent(), /30\.\d° down/);
-  });
-});
+test("a move to 30 degrees down and 40 right is where the lens of the scene points", () => play(async (page) => {
+  await motorsOn(page);
+  await page.getByLabel("Yaw", { exact: true }).first().fill("40");
+  await page.getByLabel("Pitch", { exact: true }).first().fill("30");
+  await button(page, "Move").click();
+  await outcome(page, "Move: done");
+  await page.waitForFunction(() => globalThis.sbgcPlayground.opticalAxis());
+  await page.waitForTimeout(300); // for the next view
+  const [right, up, forward] = await axisOfScene(page);
+  const degrees = (radians) => (radians * 180) / Math.PI;
+  assert.ok(Math.abs(degrees(Math.asin(-up)) - 30) < 0.5, `${degrees(Math.asin(-up))} down`);
+  assert.ok(Math.abs(degrees(Math.atan2(right, forward)) - 40) < 0.5, "to the right");
+  assert.match(await page.locator(".numbers").textContent(), /30\.\d° down/);
+}));
 
-test("the camera stays where it is while the frame moves", async () => {
-  await play(async (page) => {
-    await motorsOn(page);
-    await page.getByLabel("Vehicle").check();
-    const seen = await page.evaluate(async () => {
-      const all = [];
-      for (let n = 0; n < 60; ++n) {
-        await new Promise((resolve) => setTimeout(resolve, 50));
-        const cells = [...document.querySelectorAll(".numbers tbody tr:nth-child(2) td")];
-        all.push([0, 2].map((cell) => parseFloat(cells[cell].textContent)));
-      }
-      return all;
-    });
-    const most = (column) => Math.max(...seen.map((row) => row[column]));
-    assert.ok(most(1) > 1, `the frame: ${most(1)}`);
-    assert.ok(most(0) < most(1) / 3, `the camera: ${most(0)}`);
+test("the camera stays where it is while the frame moves", () => play(async (page) => {
+  await motorsOn(page);
+  await page.getByLabel("Vehicle").check();
+  const seen = await page.evaluate(async () => {
+    const all = [];
+    for (let n = 0; n < 60; ++n) {
+      await new Promise((resolve) => setTimeout(resolve, 50));
+      const cells = [...document.querySelectorAll(".numbers tbody tr:nth-child(2) td")];
+      all.push([0, 2].map((cell) => parseFloat(cells[cell].textContent)));
+    }
+    return all;
   });
-});
+  const most = (column) => Math.max(...seen.map((row) => row[column]));
+  assert.ok(most(1) > 1, `the frame: ${most(1)}`);
+  assert.ok(most(0) < most(1) / 3, `the camera: ${most(0)}`);
+}));
 
 test("the doctor names each fault that is switched on, and no other", async () => {
   const expected = {
@@ -119,42 +109,36 @@ test("the doctor names each fault that is switched on, and no other", async () =
   });
 });
 
-test("with the keyboard alone, a gimbal turns and Escape stops it", async () => {
-  await play(async (page) => {
-    await tabTo(page, "Motors on");
-    await page.keyboard.press("Enter");
-    await outcome(page, "Motors on: done");
-    await tabTo(page, "Yaw, slider");
-    for (let n = 0; n < 5; ++n) await page.keyboard.press("ArrowRight");
-    await outcome(page, "Move");
-    await tabTo(page, "Turn");
-    await page.keyboard.press("Space");
-    await page.waitForTimeout(500);
-    await page.keyboard.press("Escape");
-    await outcome(page, "Stop: done");
-    const actions = (await told(page, "act")).map(({ action }) => action.split(" ")[0]);
-    assert.equal(actions[0], "motors");
-    assert.ok(actions.includes("move"), "a slider takes the camera along");
-    assert.deepEqual(actions.slice(-2), ["turn", "stop"]);
-  });
-});
+test("with the keyboard alone, a gimbal turns and Escape stops it", () => play(async (page) => {
+  await tabTo(page, "Motors on");
+  await page.keyboard.press("Enter");
+  await outcome(page, "Motors on: done");
+  await tabTo(page, "Yaw, slider");
+  for (let n = 0; n < 5; ++n) await page.keyboard.press("ArrowRight");
+  await outcome(page, "Move");
+  await tabTo(page, "Turn");
+  await page.keyboard.press("Space");
+  await page.waitForTimeout(500);
+  await page.keyboard.press("Escape");
+  await outcome(page, "Stop: done");
+  const actions = (await told(page, "act")).map(({ action }) => action.split(" ")[0]);
+  assert.equal(actions[0], "motors");
+  assert.ok(actions.includes("move"), "a slider takes the camera along");
+  assert.deepEqual(actions.slice(-2), ["turn", "stop"]);
+}));
 
-for (const colorScheme of ["light", "dark"]) {
-  for (const width of [390, 768, 1280]) {
-    test(`axe-core has nothing to say: ${colorScheme}, ${width} pixels; all fits`, async () => {
-      const look = { colorScheme, viewport: { width, height: 900 }, bypassCSP: true };
-      await play(async (page) => {
-        await motorsOn(page);
-        await page.getByLabel("Resonance").check();
-        await page.getByLabel("Bits flip").check();
-        await button(page, "Show the log").click();
-        await page.locator(".log details").first().waitFor();
-        await button(page, "Pause").click();
-        await page.locator(".log summary").first().click();
-        await checkLook(page);
-      }, { look });
-    });
-  }
+for (const look of looks) {
+  const name = `${look.colorScheme}, ${look.viewport.width} pixels`;
+  test(`axe-core has nothing to say: ${name}; all fits`, () => play(async (page) => {
+    await motorsOn(page);
+    await page.getByLabel("Resonance").check();
+    await page.getByLabel("Bits flip").check();
+    await button(page, "Show the log").click();
+    await page.locator(".log details").first().waitFor();
+    await button(page, "Pause").click();
+    await page.locator(".log summary").first().click();
+    await checkLook(page);
+  }, look));
 }
 
 test("a bad link is refused in words, and nothing of it is used", async () => {
@@ -203,8 +187,7 @@ test("opening a link fills in its values and sends nothing", async () => {
   }, { hash: `#pitch=-12.5&motion=drone&faults=imu,resonance=50Hz:1:roll&send=${frame}` });
 });
 
-test("a message page leads to the playground with the values of its form, unless one is a secret", async () => {
-  const page = await browser.newPage();
+test("a message page leads to the playground with the values of its form, unless one is a secret", inPage(async (page) => {
   await page.goto(`${addressOf("messages/control.html")}`);
   await page.locator("#builder summary").click();
   const href = await page.locator(".built-trial").getAttribute("href");
@@ -214,65 +197,64 @@ test("a message page leads to the playground with the values of its form, unless
   await page.locator("[id='build-new_password']").fill("secret");
   await page.locator(".built-command", { hasText: "new_password=@FILE" }).waitFor();
   assert.equal(await page.locator(".built-trial").count(), 0);
-  await page.close();
-});
+}));
 
-test("the log decodes frames as `sbgc decode` does, and leads to their pages", async () => {
-  await play(async (page) => {
-    await button(page, "Show the log").click();
-    await page.locator(".log details").first().waitFor();
-    await motorsOn(page);
-    await page.locator(".log details.host").first().waitFor();
-    await page.locator(".log details").nth(20).waitFor();
-    await button(page, "Pause").click();
-    const entries = page.locator(".log details");
-    await entries.evaluateAll((all) => all.forEach((one) => (one.open = true)));
-    await page.locator(".log details:last-child pre").waitFor();
-    const frames = await entries.evaluateAll((all) =>
-      all.map((one) => ({
-        from: one.classList.contains("host") ? "host" : "board",
-        message: one.querySelector("b").textContent,
-        hex: one.querySelector("pre").textContent.trim(),
-        page: one.querySelector("a")?.getAttribute("href"),
-      })),
-    );
-    assert.ok(frames.length > 10);
-    for (const from of ["host", "board"]) {
-      const sent = frames.filter((one) => one.from === from);
-      const input = sent.map(({ hex }) => hex).join("\n");
-      const { stdout } = spawnSync(sbgc, ["decode", "--hex", "--format", "jsonl", "--from", from], { input });
-      const decoded = stdout.toString().trim().split("\n").map((line) => JSON.parse(line).message);
-      assert.deepEqual(sent.map(({ message }) => message), decoded);
-      for (const one of sent) assert.ok(fs.existsSync(path.join(site, one.page)), one.message);
-    }
+test("the log decodes frames as `sbgc decode` does, and leads to their pages", () => play(async (page) => {
+  await button(page, "Show the log").click();
+  await page.locator(".log details").nth(20).waitFor();
+  // Paused by the page itself, before new frames displace the request.
+  const paused = page.waitForFunction(() => {
+    const isThere = document.querySelector(".log details.host") !== null;
+    if (isThere) document.querySelector(".log button:last-child").click();
+    return isThere;
   });
-});
+  await motorsOn(page);
+  await paused;
+  const entries = page.locator(".log details");
+  await entries.evaluateAll((all) => all.forEach((one) => (one.open = true)));
+  await page.locator(".log details:last-child pre").waitFor();
+  const frames = await entries.evaluateAll((all) =>
+    all.map((one) => ({
+      from: one.classList.contains("host") ? "host" : "board",
+      message: one.querySelector("b").textContent,
+      hex: one.querySelector("pre").textContent.trim(),
+      page: one.querySelector("a")?.getAttribute("href"),
+    })),
+  );
+  assert.ok(frames.length > 10);
+  for (const from of ["host", "board"]) {
+    const sent = frames.filter((one) => one.from === from);
+    const input = sent.map(({ hex }) => hex).join("\n");
+    const { stdout } = spawnSync(sbgc, ["decode", "--hex", "--format", "jsonl", "--from", from], { input });
+    const decoded = stdout.toString().trim().split("\n").map((line) => JSON.parse(line).message);
+    assert.deepEqual(sent.map(({ message }) => message), decoded);
+    for (const one of sent) assert.ok(fs.existsSync(path.join(site, one.page)), one.message);
+  }
+}));
 
-test("the lines of C++ compile, and those of the command are known to it", async () => {
-  await play(async (page) => {
-    const lines = () => page.locator(".line code").allTextContents();
-    const commands = (await lines()).filter((one) => !/^sbgc (emulate|doctor)/.test(one));
-    for (const command of commands) {
-      const { stderr } = spawnSync("bash", ["-c", `${command.replace(/^sbgc/, `'${sbgc}'`)} -p /nowhere`]);
-      // It fails when it asks or opens the port, not before.
-      assert.match(stderr.toString(), /no port|no terminal/, command);
-    }
-    await page.getByLabel("C++").check();
-    const functions = (await lines()).map((text, n) => `sbgc::Result<void> f${n}(sbgc::Client& client) {\n${text}\nreturn {};\n}`);
-    assert.ok(functions.length > 6);
-    const headers = ["client/client", "client/motion", "client/speed_control", "doctor/findings", "doctor/measure", "messages/control"];
-    const program = [
-      ...headers.map((one) => `#include <sbgc/${one}.hpp>`),
-      "#include <chrono>\n#include <cstdio>\n#include <thread>",
-      "using namespace sbgc::literals;\nusing namespace std::chrono_literals;",
-      ...functions,
-    ].join("\n");
-    const libraries = ["core", "session", "tasks", "any", "io", "client", "analysis", "doctor"];
-    const folders = [...libraries.map((one) => `runtime/${one}/include`), "generated/include"].map((one) => `-I${path.join(root, one)}`);
-    const made = spawnSync("g++", ["-std=c++20", "-fsyntax-only", "-Wall", ...folders, "-x", "c++", "-"], { input: program });
-    assert.equal(made.stderr.toString(), "");
-  });
-});
+test("the lines of C++ compile, and those of the command are known to it", () => play(async (page) => {
+  const lines = () => page.locator(".line code").allTextContents();
+  const commands = (await lines()).filter((one) => !/^sbgc (emulate|doctor)/.test(one));
+  for (const command of commands) {
+    const { stderr } = spawnSync("bash", ["-c", `${command.replace(/^sbgc/, `'${sbgc}'`)} -p /nowhere`]);
+    // It fails when it asks or opens the port, not before.
+    assert.match(stderr.toString(), /no port|no terminal/, command);
+  }
+  await page.getByLabel("C++").check();
+  const functions = (await lines()).map((text, n) => `sbgc::Result<void> f${n}(sbgc::Client& client) {\n${text}\nreturn {};\n}`);
+  assert.ok(functions.length > 6);
+  const headers = ["client/client", "client/motion", "client/speed_control", "doctor/findings", "doctor/measure", "messages/control"];
+  const program = [
+    ...headers.map((one) => `#include <sbgc/${one}.hpp>`),
+    "#include <chrono>\n#include <cstdio>\n#include <thread>",
+    "using namespace sbgc::literals;\nusing namespace std::chrono_literals;",
+    ...functions,
+  ].join("\n");
+  const libraries = ["core", "session", "tasks", "any", "io", "client", "analysis", "doctor"];
+  const folders = [...libraries.map((one) => `runtime/${one}/include`), "generated/include"].map((one) => `-I${path.join(root, one)}`);
+  const made = spawnSync("g++", ["-std=c++20", "-fsyntax-only", "-Wall", ...folders, "-x", "c++", "-"], { input: program });
+  assert.equal(made.stderr.toString(), "");
+}));
 
 test("without WebGL there are numbers, charts and the horizon", async () => {
   const prepare = () => {
@@ -290,41 +272,36 @@ test("without WebGL there are numbers, charts and the horizon", async () => {
     await page.locator(".charts canvas").first().waitFor();
     const loaded = await page.evaluate(() => performance.getEntriesByType("resource").map(({ name }) => name));
     assert.deepEqual(loaded.filter((name) => name.includes("view3d")), []);
-  }, { prepare });
+  }, { prepare: [prepare] });
 });
 
-test("without JavaScript, and from a file, the page says what it needs", async () => {
-  const without = await browser.newPage({ javaScriptEnabled: false });
-  await without.goto(`${server.address}playground.html`);
-  assert.match(await without.locator("noscript").textContent(), /sbgc emulate/);
-  await without.close();
-  const page = await browser.newPage();
-  const problems = [];
-  page.on("console", (message) => problems.push(message.text()));
-  await page.goto(addressOf("playground.html"));
-  assert.match(await page.locator("main").innerText(), /only from a server.*python3 -m http\.server/s);
-  assert.deepEqual(problems, []);
-  await page.close();
-});
+test("without JavaScript, the page says what it needs", inPage(async (page) => {
+  await page.goto(`${server.address}playground.html`);
+  assert.match(await page.locator("noscript").textContent(), /sbgc emulate/);
+}, { javaScriptEnabled: false }));
 
-test("it is usable without a network, once it was open", async () => {
-  const context = await browser.newContext();
-  const page = await context.newPage();
+test("from a file, the page says what it needs", () =>
+  visit(browser, addressOf("playground.html"), async (page) => {
+    assert.match(await page.locator("main").innerText(), /only from a server.*python3 -m http\.server/s);
+  }));
+
+/** Opens the playground, and waits for what keeps it for use without a network. */
+async function openKept(page) {
   await page.goto(`${server.address}playground.html`);
   await page.evaluate(async () => (await navigator.serviceWorker.ready).active.state);
-  await context.setOffline(true);
+}
+
+test("it is usable without a network, once it was open", inPage(async (page) => {
+  await openKept(page);
+  await page.context().setOffline(true);
   await page.reload();
   await button(page, "Motors on").and(page.locator(":enabled")).click();
   await outcome(page, "Motors on: done");
   await page.waitForFunction(() => globalThis.sbgcPlayground.opticalAxis());
-  await context.close();
-});
+}));
 
-test("it says when a newer version is there, and goes over to it", async () => {
-  const context = await browser.newContext();
-  const page = await context.newPage();
-  await page.goto(`${server.address}playground.html`);
-  await page.evaluate(async () => (await navigator.serviceWorker.ready).active.state);
+test("it says when a newer version is there, and goes over to it", inPage(async (page) => {
+  await openKept(page);
   await page.reload(); // under the service worker
   await button(page, "Motors on").and(page.locator(":enabled")).waitFor();
   assert.equal(await button(page, "Use it").count(), 0);
@@ -337,8 +314,7 @@ test("it says when a newer version is there, and goes over to it", async () => {
   const caches = await page.evaluate(async () => (await globalThis.caches.keys()).map((name) => name.split(" ").at(-1)));
   assert.deepEqual(caches, ["0123456789abcdef"]);
   delete server.changed["/service-worker.js"];
-  await context.close();
-});
+}));
 
 test("it is light: what comes first, and all of it", () => {
   const sizes = {};
@@ -355,25 +331,23 @@ test("it is light: what comes first, and all of it", () => {
 });
 
 // SBGC_PLAY_SECONDS: how long it plays.
-test("minutes of play, with the log, take no more memory than the first", async () => {
-  await play(async (page) => {
-    const session = await page.context().newCDPSession(page);
-    const used = async () => {
-      await session.send("HeapProfiler.collectGarbage");
-      const { usedSize } = await session.send("Runtime.getHeapUsage");
-      return { usedSize, elements: await page.evaluate(() => document.querySelectorAll("*").length) };
-    };
-    await motorsOn(page);
-    await page.getByLabel("Hand-held").check();
-    await button(page, "Show the log").click();
-    await hurry(page);
-    const seconds = async () => Number(/([\d.]+) s\b/.exec(await page.locator(".status .board").innerText())[1]);
-    await page.waitForTimeout(10_000);
-    const [first, from] = [await used(), await seconds()];
-    await page.waitForTimeout(Number(process.env.SBGC_PLAY_SECONDS ?? 20) * 1000);
-    const [last, to] = [await used(), await seconds()];
-    assert.ok(to - from > 60, `${to - from} s`);
-    assert.ok(last.usedSize < first.usedSize * 1.15 + 2e6, `${first.usedSize} to ${last.usedSize} bytes`);
-    assert.ok(last.elements < first.elements * 1.1, `${first.elements} to ${last.elements} elements`);
-  });
-});
+test("minutes of play, with the log, take no more memory than the first", () => play(async (page) => {
+  const session = await page.context().newCDPSession(page);
+  const used = async () => {
+    await session.send("HeapProfiler.collectGarbage");
+    const { usedSize } = await session.send("Runtime.getHeapUsage");
+    return { usedSize, elements: await page.evaluate(() => document.querySelectorAll("*").length) };
+  };
+  await motorsOn(page);
+  await page.getByLabel("Hand-held").check();
+  await button(page, "Show the log").click();
+  await hurry(page);
+  const seconds = async () => Number(/([\d.]+) s\b/.exec(await page.locator(".status .board").innerText())[1]);
+  await page.waitForTimeout(10_000);
+  const [first, from] = [await used(), await seconds()];
+  await page.waitForTimeout(Number(process.env.SBGC_PLAY_SECONDS ?? 20) * 1000);
+  const [last, to] = [await used(), await seconds()];
+  assert.ok(to - from > 60, `${to - from} s`);
+  assert.ok(last.usedSize < first.usedSize * 1.15 + 2e6, `${first.usedSize} to ${last.usedSize} bytes`);
+  assert.ok(last.elements < first.elements * 1.1, `${first.elements} to ${last.elements} elements`);
+}));

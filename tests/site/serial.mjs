@@ -19,6 +19,7 @@ export async function start(args, line) {
     lines.on("line", (text) => line.test(text) && resolve(text.match(line)));
   });
   child.removeAllListeners("exit");
+  process.once("exit", () => child.kill());
   return { found, child, stop: () => child.kill() };
 }
 

@@ -10,6 +10,7 @@ import path from "node:path";
 import { Duplex } from "node:stream";
 import { after, before, test } from "node:test";
 
+import { button } from "./browsing.mjs";
 import { cables, gimbal, giveSerial, start } from "./serial.mjs";
 import { launch, packageIn, sbgc, serve, site } from "./support.mjs";
 
@@ -20,22 +21,17 @@ const speed = 20;
 const isControl = (bytes) => bytes[1] === 67;
 
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), "sbgc-setup-"));
-let browser;
-let server;
-let sdk;
+const sdk = await packageIn(folder);
+const browser = await launch();
+const server = await serve();
 let board;
 let camera;
 const wait = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
 
-before(async () => {
-  browser = await launch();
-  server = await serve();
-  sdk = await packageIn(folder);
-  await powerOn("2.59");
-});
+before(() => powerOn("2.59"));
 after(async () => {
-  await browser?.close();
-  server?.close();
+  await browser.close();
+  server.close();
   board?.stop();
   fs.rmSync(folder, { recursive: true });
 });
@@ -48,7 +44,6 @@ async function powerOn(firmware) {
   camera = await sdk.connect(Duplex.toWeb(net.connect(board.port, "127.0.0.1")));
 }
 
-const button = (page, name) => page.getByRole("button", { name, exact: true });
 const connected = (page) => page.getByText(/board 3\.\d, firmware/).first().waitFor({ timeout: 30_000 });
 async function comesTrue(holds, ms = 10_000) {
   for (let left = ms; left > 0; left -= 50) {
@@ -61,6 +56,7 @@ const until = async (holds, what) => assert.ok(await comesTrue(holds), what);
 const yaw = () => camera.view.camera[2];
 const turns = () => Math.abs(camera.view.speeds[2]) > speed / 4;
 
+/** Opens the page with a line, and connects it. */
 async function withSerial(line, work) {
   const ends = await cables(board, line);
   const context = await browser.newContext();
@@ -68,6 +64,7 @@ async function withSerial(line, work) {
   try {
     await giveSerial(context, server, ends.url);
     await page.goto(`${server.address}setup.html`);
+    await connect(page);
     await work(page, ends.cable, context);
   } finally {
     await context.close();
@@ -105,6 +102,18 @@ async function turn(page) {
   assert.fail("the camera does not turn");
 }
 
+async function armAndTurn(page) {
+  await arm(page);
+  await turn(page);
+}
+
+/** Moves far to the other side. */
+async function move(page) {
+  await page.getByRole("spinbutton", { name: "Yaw" }).first().fill(yaw() > 0 ? "-170" : "170");
+  await button(page, "Move").first().click();
+  await until(turns, "the camera turns");
+}
+
 /** Fails if the camera still turns after the bound of a motion, and some time to brake. */
 async function brakes() {
   const begin = yaw();
@@ -118,7 +127,6 @@ async function brakes() {
 
 test("an unusual line is found, on the chosen one of two equal adapters", () =>
   withSerial({ baudRate: 38400, parity: "even" }, async (page, cable) => {
-    await connect(page);
     const [last] = cable.opened.slice(-1);
     assert.deepEqual(last, { index: "1", baudRate: 38400, parity: "even" });
     await page.getByText("38400").first().waitFor();
@@ -126,7 +134,6 @@ test("an unusual line is found, on the chosen one of two equal adapters", () =>
 
 test("a cable that is pulled is told, and found again; motion is locked then", () =>
   withSerial({}, async (page, cable) => {
-    await connect(page);
     await arm(page);
     cable.pull();
     await page.getByText("the port is gone").first().waitFor();
@@ -140,7 +147,6 @@ test("a cable that is pulled is told, and found again; motion is locked then", (
 
 test("a second tab says who holds the port", () =>
   withSerial({}, async (page, _, context) => {
-    await connect(page);
     const other = await context.newPage();
     await other.goto(`${server.address}setup.html`);
     await button(other, "Connect by USB or serial").click();
@@ -149,9 +155,7 @@ test("a second tab says who holds the port", () =>
 
 test("a stop overtakes what waits: at most the frame in the port is before it", () =>
   withSerial({}, async (page, cable) => {
-    await connect(page);
-    await arm(page);
-    await turn(page);
+    await armAndTurn(page);
     await page.getByRole("radio", { name: "Parameters" }).check({ force: true });
     await button(page, "Read the parameters").click();
     await page.keyboard.up("ArrowRight");
@@ -171,9 +175,7 @@ test("a stop overtakes what waits: at most the frame in the port is before it", 
 
 test("a page that is hidden goes on, and is locked", () =>
   withSerial({}, async (page, _, context) => {
-    await connect(page);
-    await arm(page);
-    await turn(page);
+    await armAndTurn(page);
     const front = await context.newPage();
     await front.bringToFront();
     await page.evaluate(() => {
@@ -189,17 +191,13 @@ for (const firmware of ["2.59", "2.70"]) {
   test(`another program stops a turn and a move of ${firmware}: the page yields`, async () => {
     await powerOn(firmware);
     await withSerial({}, async (page) => {
-      await connect(page);
-      await arm(page);
-      await turn(page);
+      await armAndTurn(page);
       await camera.stop();
       await brakes(); // the key is still held
       await page.keyboard.up("ArrowRight");
       await turn(page);
       await page.keyboard.up("ArrowRight");
-      await page.getByRole("spinbutton", { name: "Yaw" }).first().fill(yaw() > 0 ? "-170" : "170");
-      await button(page, "Move").first().click();
-      await until(turns, "the camera turns");
+      await move(page);
       await camera.stop();
       await brakes();
       await page.getByText("has stopped the camera").first().waitFor();
@@ -209,9 +207,7 @@ for (const firmware of ["2.59", "2.70"]) {
 
 test("a computer that has slept wakes up with motion locked", () =>
   withSerial({}, async (page) => {
-    await connect(page);
-    await arm(page);
-    await turn(page);
+    await armAndTurn(page);
     const [worker] = page.workers();
     await worker.evaluate(() => {
       const asleep = performance.now();
@@ -236,25 +232,19 @@ for (let i = 0; i < kills; ++i) {
   test(`kill ${i}: ${name} during ${isMove ? "a move" : "a turn"} of ${firmware}: the camera brakes`, async () => {
     await powerOn(firmware);
     await withSerial({}, async (page, cable, context) => {
-      await connect(page);
       await arm(page);
-      if (isMove) {
-        const there = yaw() > 0 ? -170 : 170;
-        await page.getByRole("spinbutton", { name: "Yaw" }).first().fill(String(there));
-        await button(page, "Move").first().click();
-        await until(turns, "the camera turns");
-      } else {
-        await turn(page);
-      }
+      await (isMove ? move : turn)(page);
       await kill({ page, cable, context });
       await brakes();
     });
   });
 }
 
+const bridgeArguments = () => ["bridge", `tcp:127.0.0.1:${board.port}`, "--page", site];
+const bridgeWithPages = (line) => start(bridgeArguments(), line);
+
 test("a bridge that serves the page is killed during motion: the camera brakes", async () => {
-  const address = `tcp:127.0.0.1:${board.port}`;
-  const bridge = await start(["bridge", address, "--page", site], /(http:.*token=.*)/);
+  const bridge = await bridgeWithPages(/(http:.*token=.*)/);
   const context = await browser.newContext();
   const page = await context.newPage();
   try {
@@ -262,8 +252,7 @@ test("a bridge that serves the page is killed during motion: the camera brakes",
     await button(page, "Connect to the bridge").click();
     await connected(page);
     assert.ok(!page.url().includes("token"), page.url());
-    await arm(page);
-    await turn(page);
+    await armAndTurn(page);
     bridge.child.kill("SIGKILL");
     await brakes();
     await page.getByText("motion locked").waitFor();
@@ -274,15 +263,14 @@ test("a bridge that serves the page is killed during motion: the camera brakes",
 });
 
 test("the bridge serves its pages to this machine, and nothing else", async () => {
-  const address = `tcp:127.0.0.1:${board.port}`;
-  const bridge = await start(["bridge", address, "--page", site], /(http:[^#]*)setup.html/);
+  const bridge = await bridgeWithPages(/(http:[^#]*)setup.html/);
   try {
     const status = async (name, headers = {}) => (await fetch(bridge.found[1] + name, { headers })).status;
     assert.equal(await status("setup.html"), 200);
     assert.equal(await status("assets/playground/setup.wasm"), 200);
     assert.equal(await status("%2e%2e/CMakeCache.txt"), 404);
     assert.equal(await status(".git"), 404);
-    const refused = spawnSync(sbgc, ["bridge", address, "--page", site, "--ws", "0.0.0.0:0"], { encoding: "utf8" });
+    const refused = spawnSync(sbgc, [...bridgeArguments(), "--ws", "0.0.0.0:0"], { encoding: "utf8" });
     assert.match(refused.stderr, /only for this machine/);
   } finally {
     bridge.stop();
@@ -291,7 +279,6 @@ test("the bridge serves its pages to this machine, and nothing else", async () =
 
 test("a recording is what `sbgc decode` reads", () =>
   withSerial({}, async (page) => {
-    await connect(page);
     await button(page, "Record").click();
     await wait(500);
     const [download] = await Promise.all([page.waitForEvent("download"), button(page, /record/i).first().click()]);

@@ -31,17 +31,6 @@ after(() => fs.rmSync(folder, { recursive: true }));
 
 const load = (name) => web.Wasm.load(fs.readFileSync(path.join(site, "assets/playground", `${name}.wasm`)));
 
-/** Waits for a task while virtual time passes. */
-async function during(gimbal, work) {
-  let isOver = false;
-  work.finally(() => (isOver = true)).catch(() => {});
-  while (!isOver) {
-    gimbal.run(gimbal.now + 50_000);
-    await new Promise((resolve) => setImmediate(resolve));
-  }
-  return work;
-}
-
 /** Another valid value, or undefined. */
 function other({ text, kind, names, least, most }) {
   if (kind === "text") return "another";
@@ -58,9 +47,9 @@ for (const [board, firmware] of [[30, 2590], [36, 2745]]) {
     const connect = (handlers) => new web.SetupClient(setup, handlers);
     const gimbal = new web.EmulatedGimbal(await load("gimbal"), { board, firmware }, { identified }, undefined, connect);
     const { client } = gimbal;
-    await during(gimbal, ready);
+    await gimbal.during(ready);
     assert.deepEqual([client.board.board, client.board.firmware], [board, firmware]);
-    await during(gimbal, client.read());
+    await gimbal.during(client.read());
     const all = (await client.profile(1)).flatMap(({ parameters }) => parameters);
     assert.ok(all.length > 400, `${all.length}`);
     const same = client.plan(Object.fromEntries(all.map(({ name, text }) => [name, text])), 1);
@@ -81,7 +70,7 @@ for (const [board, firmware] of [[30, 2590], [36, 2745]]) {
       assert.deepEqual(problems, [], name);
       assert.deepEqual(changes.map((one) => one.name).sort(), Object.keys(values).sort(), name);
       if (changes.length === 0) continue;
-      const { ok, text } = await during(gimbal, client.write());
+      const { ok, text } = await gimbal.during(client.write());
       assert.ok(ok, text);
       assert.deepEqual(client.plan(values, 1).changes, [], "it is what was written");
       const now = new Map((await client.profile(1)).flatMap((topic) => topic.parameters).map((one) => [one.name, one.text]));

@@ -5,43 +5,35 @@ import { spawnSync } from "node:child_process";
 import fs from "node:fs";
 import os from "node:os";
 import path from "node:path";
-import { after, before, test } from "node:test";
+import { after, test } from "node:test";
 
-import { button, checkLook, outcome, tabTo, told, toldAtLeast, visit } from "./application.mjs";
+import { button, checkLook, looks, outcome, spy, tabTo, told, toldAtLeast, visit } from "./browsing.mjs";
 import { gimbal, start } from "./serial.mjs";
 import { launch, root, sbgc, serve, site } from "./support.mjs";
 
 const token = (process.env.SBGC_TOKEN = "token-of-the-test");
-let browser;
-let server;
-let board;
-let bridge;
+const browser = await launch();
+const server = await serve();
+const board = await gimbal("--calibration-time", "10");
 /** The same board for the command. */
-let native;
-
-before(async () => {
-  browser = await launch();
-  server = await serve();
-  board = await gimbal("--calibration-time", "10");
-  native = ["-p", `tcp:127.0.0.1:${board.port}`];
-  const origin = server.address.replace(/\/$/, "");
-  bridge = await start(["bridge", native[1], "--ws", "0", "--origin", origin], /ws:\S+:\d+/);
-});
+const native = ["-p", `tcp:127.0.0.1:${board.port}`];
+const origin = server.address.replace(/\/$/, "");
+const bridge = await start(["bridge", native[1], "--ws", "0", "--origin", origin], /ws:\S+:\d+/);
 after(async () => {
-  await browser?.close();
-  server?.close();
-  bridge?.stop();
-  board?.stop();
+  await browser.close();
+  server.close();
+  bridge.stop();
+  board.stop();
 });
 
 const view = (page, name) => page.getByRole("radio", { name }).check();
 const arm = (page) => page.getByRole("switch", { name: "Arm motion" }).and(page.locator(":visible")).first();
 
-const open = (work, { hash = "", ...options } = {}) =>
+const open = (work, { hash = "", prepare = [], ...look } = {}) =>
   visit(browser, `${server.address}setup.html${hash}`, async (page) => {
     await page.getByRole("heading", { name: "Connect" }).waitFor();
     await work(page);
-  }, options);
+  }, { ...look, prepare: [spy, ...prepare] });
 
 /** Opens the page, and connects it to the board. */
 const connected = (work, options) =>
@@ -97,7 +89,7 @@ test("without Web Serial, the page says why and what helps", async () => {
     const note = await page.locator(".note.warn:visible").innerText();
     assert.match(note, /no Web Serial.*sbgc bridge --page/s);
     await button(page, "Connect to the bridge").and(page.locator(":enabled")).waitFor();
-  }, { prepare });
+  }, { prepare: [prepare] });
 });
 
 test("a worker of another version makes the page load again, once, and does not connect", async () => {
@@ -115,35 +107,27 @@ test("a worker of another version makes the page load again, once, and does not 
   }
 });
 
-test("motion is locked until it is armed; held keys turn, and let go they stop", async () => {
-  await connected(async (page) => {
-    assert.ok(await button(page, "Motors on").isDisabled());
-    await arm(page).click();
-    await button(page, "Motors on").click();
-    await outcome(page, "Motors on: done");
-    await button(page, "Arrow keys").click();
-    await page.keyboard.down("ArrowRight");
-    await toldAtLeast(page, "hold", 8);
-    await page.keyboard.up("ArrowRight");
-    const holds = (await told(page, "hold")).map(({ speeds }) => speeds);
-    assert.deepEqual(holds[0], [0, 0, 20]);
-    assert.deepEqual(holds.at(-1), [0, 0, 0]);
-    await page.locator(".numbers", { hasText: /\d\.\d° right/ }).waitFor();
-    await page.keyboard.down("ArrowLeft");
-    await page.waitForTimeout(200);
-    await page.keyboard.press("Escape");
-    const before = (await told(page, "hold")).length;
-    await page.waitForTimeout(300);
-    assert.equal((await told(page, "hold")).length, before, "after a stop, what is still held turns nothing");
-    await page.keyboard.up("ArrowLeft");
-    await page.evaluate(() => {
-      Object.defineProperty(document, "hidden", { value: true });
-      document.dispatchEvent(new Event("visibilitychange"));
-    });
-    await page.locator(".status", { hasText: "motion locked" }).waitFor();
-    assert.deepEqual((await told(page, "arm")).map(({ on }) => on), [true, false]);
-  });
-});
+test("motion is locked until it is armed; held keys turn, and let go they stop", () => connected(async (page) => {
+  assert.ok(await button(page, "Motors on").isDisabled());
+  await arm(page).click();
+  await button(page, "Motors on").click();
+  await outcome(page, "Motors on: done");
+  await button(page, "Arrow keys").click();
+  await page.keyboard.down("ArrowRight");
+  await toldAtLeast(page, "hold", 8);
+  await page.keyboard.up("ArrowRight");
+  const holds = (await told(page, "hold")).map(({ speeds }) => speeds);
+  assert.deepEqual(holds[0], [0, 0, 20]);
+  assert.deepEqual(holds.at(-1), [0, 0, 0]);
+  await page.locator(".numbers", { hasText: /\d\.\d° right/ }).waitFor();
+  await page.keyboard.down("ArrowLeft");
+  await page.waitForTimeout(200);
+  await page.keyboard.press("Escape");
+  const before = (await told(page, "hold")).length;
+  await page.waitForTimeout(300);
+  assert.equal((await told(page, "hold")).length, before, "after a stop, what is still held turns nothing");
+  await page.keyboard.up("ArrowLeft");
+}));
 
 test("a pointer turns as long as it presses, a gamepad as long as its shoulder button is held", async () => {
   const prepare = () => {
@@ -174,73 +158,69 @@ test("a pointer turns as long as it presses, a gamepad as long as its shoulder b
     await page.waitForTimeout(150);
     const tilted = (await speeds()).slice(pressed.length);
     assert.deepEqual([tilted[0], tilted.at(-1)], [[0, -20, 0], [0, 0, 0]]);
-  }, { prepare });
+  }, { prepare: [prepare] });
 });
 
-test("with the keyboard alone: connected, armed, turned, stopped", async () => {
-  await open(async (page) => {
-    await tabTo(page, "USB or serial");
-    await page.keyboard.press("ArrowRight");
-    await tabTo(page, "Address");
-    await page.keyboard.press("Control+A");
-    await page.keyboard.type(bridge.found[0]);
-    await tabTo(page, "Token");
-    await page.keyboard.type(`${token}\n`);
-    await page.getByRole("radio", { name: "Look and move" }).waitFor();
-    for (const name of ["Arm motion", "Motors on"]) {
-      await tabTo(page, name);
-      await page.keyboard.press("Space");
-    }
-    await outcome(page, "Motors on: done");
-    await tabTo(page, "Roll left");
-    await page.keyboard.down("Space");
-    await page.waitForTimeout(200);
-    await page.keyboard.press("Escape");
-    await page.keyboard.up("Space");
-    await outcome(page, "Stop: done");
-    assert.deepEqual((await told(page, "hold"))[0].speeds, [-20, 0, 0]);
-  });
-});
+test("with the keyboard alone: connected, armed, turned, stopped", () => open(async (page) => {
+  await tabTo(page, "USB or serial");
+  await page.keyboard.press("ArrowRight");
+  await tabTo(page, "Address");
+  await page.keyboard.press("Control+A");
+  await page.keyboard.type(bridge.found[0]);
+  await tabTo(page, "Token");
+  await page.keyboard.type(`${token}\n`);
+  await page.getByRole("radio", { name: "Look and move" }).waitFor();
+  for (const name of ["Arm motion", "Motors on"]) {
+    await tabTo(page, name);
+    await page.keyboard.press("Space");
+  }
+  await outcome(page, "Motors on: done");
+  await tabTo(page, "Roll left");
+  await page.keyboard.down("Space");
+  await page.waitForTimeout(200);
+  await page.keyboard.press("Escape");
+  await page.keyboard.up("Space");
+  await outcome(page, "Stop: done");
+  assert.deepEqual((await told(page, "hold"))[0].speeds, [-20, 0, 0]);
+}));
 
-test("a parameter is edited, planned, tried, written, read by the command, and undone", async () => {
-  await connected(async (page) => {
-    await readParameters(page);
-    const p = await field(page, "axes.roll.p");
-    const old = await p.inputValue();
-    await p.fill("999");
-    await button(page, "Review").click();
-    await page.locator(".review [role=alert]").waitFor();
-    assert.ok(await page.locator(".review").getByRole("button", { name: "Write" }).isDisabled());
-    await p.fill("77");
-    const profile = page.getByLabel("Profile of the parameters");
-    await profile.selectOption("2");
-    await page.waitForFunction((one) => one.value !== "77", await p.elementHandle());
-    await p.fill("55");
-    await page.getByText("1 changed in profile 1, 1 changed in profile 2", { exact: true }).waitFor();
-    await button(page, "Review").click();
-    await write(page);
-    assert.match(nativeValue("axes.roll.p", "--profile", "2"), /\b55\b/);
-    assert.doesNotMatch(nativeValue("axes.roll.p", "--profile", "1"), /\b77\b/);
-    await profile.selectOption("1");
-    await page.waitForFunction((one) => one.value === "77", await p.elementHandle());
-    await button(page, "Review").click();
-    await page.locator(".review tbody", { hasText: "axes.roll.p" }).waitFor();
-    await button(page, "Try on the emulated board").click();
-    await page.getByRole("heading", { name: "With the changes" }).waitFor({ timeout: 60_000 });
-    await button(page, "Write").click();
-    const kinds = async () => (await told(page, "stop", "write")).map(({ kind }) => kind);
-    const before = await kinds();
-    await page.keyboard.press("Escape"); // stops before it closes the dialog
-    await page.getByRole("dialog").waitFor({ state: "detached" });
-    assert.deepEqual(await kinds(), [...before, "stop"]);
-    await write(page);
-    assert.match(nativeValue("axes.roll.p"), /\b77\b/);
-    await button(page, "Undo the last write").click();
-    await write(page);
-    await page.waitForFunction(([one, value]) => one.value === value, [await p.elementHandle(), old]);
-    assert.doesNotMatch(nativeValue("axes.roll.p"), /\b77\b/);
-  });
-});
+test("a parameter is edited, planned, tried, written, read by the command, and undone", () => connected(async (page) => {
+  await readParameters(page);
+  const p = await field(page, "axes.roll.p");
+  const old = await p.inputValue();
+  await p.fill("999");
+  await button(page, "Review").click();
+  await page.locator(".review [role=alert]").waitFor();
+  assert.ok(await page.locator(".review").getByRole("button", { name: "Write" }).isDisabled());
+  await p.fill("77");
+  const profile = page.getByLabel("Profile of the parameters");
+  await profile.selectOption("2");
+  await page.waitForFunction((one) => one.value !== "77", await p.elementHandle());
+  await p.fill("55");
+  await page.getByText("1 changed in profile 1, 1 changed in profile 2", { exact: true }).waitFor();
+  await button(page, "Review").click();
+  await write(page);
+  assert.match(nativeValue("axes.roll.p", "--profile", "2"), /\b55\b/);
+  assert.doesNotMatch(nativeValue("axes.roll.p", "--profile", "1"), /\b77\b/);
+  await profile.selectOption("1");
+  await page.waitForFunction((one) => one.value === "77", await p.elementHandle());
+  await button(page, "Review").click();
+  await page.locator(".review tbody", { hasText: "axes.roll.p" }).waitFor();
+  await button(page, "Try on the emulated board").click();
+  await page.getByRole("heading", { name: "With the changes" }).waitFor({ timeout: 60_000 });
+  await button(page, "Write").click();
+  const kinds = async () => (await told(page, "stop", "write")).map(({ kind, name }) => name ?? kind);
+  const before = await kinds();
+  await page.keyboard.press("Escape"); // stops before it closes the dialog
+  await page.getByRole("dialog").waitFor({ state: "detached" });
+  assert.deepEqual(await kinds(), [...before, "stop"]);
+  await write(page);
+  assert.match(nativeValue("axes.roll.p"), /\b77\b/);
+  await button(page, "Undo the last write").click();
+  await write(page);
+  await page.waitForFunction(([one, value]) => one.value === value, [await p.elementHandle(), old]);
+  assert.doesNotMatch(nativeValue("axes.roll.p"), /\b77\b/);
+}));
 
 test("a backup is saved and restored, by the page and by the command", async () => {
   const file = path.join(fs.mkdtempSync(path.join(os.tmpdir(), "sbgc-")), "backup.json");
@@ -281,42 +261,36 @@ test("what the line says is text, never markup", async () => {
   });
 });
 
-test("a calibration says what to prepare, is checked, asks and is done", async () => {
-  await connected(async (page) => {
-    await view(page, "Care");
-    const card = page.locator(".topic:visible", { hasText: "gyro" }).first();
-    await card.locator("summary").click();
-    await card.getByRole("button", { name: "Check" }).click();
-    await card.locator(".good, .bad", { hasText: /./ }).waitFor();
-    await card.getByRole("button", { name: "Calibrate" }).click();
-    await page.getByRole("dialog").getByRole("button", { name: "Calibrate" }).click();
-    await card.getByText("The calibration is done.").waitFor({ timeout: 60_000 });
-  });
-});
+test("a calibration says what to prepare, is checked, asks and is done", () => connected(async (page) => {
+  await view(page, "Care");
+  const card = page.locator(".topic:visible", { hasText: "gyro" }).first();
+  await card.locator("summary").click();
+  await card.getByRole("button", { name: "Check" }).click();
+  await card.locator(".good, .bad", { hasText: /./ }).waitFor();
+  await card.getByRole("button", { name: "Calibrate" }).click();
+  await page.getByRole("dialog").getByRole("button", { name: "Calibrate" }).click();
+  await card.getByText("The calibration is done.").waitFor({ timeout: 60_000 });
+}));
 
-for (const colorScheme of ["light", "dark"]) {
-  for (const width of [390, 768, 1280]) {
-    test(`axe-core has nothing to say: ${colorScheme}, ${width} pixels; all fits`, async () => {
-      const look = { colorScheme, viewport: { width, height: 900 }, bypassCSP: true };
-      await connected(async (page) => {
-        await arm(page).click();
-        await checkLook(page, "move");
-        await readParameters(page);
-        await (await field(page, "axes.yaw.p")).fill("9");
-        await button(page, "Review").click();
-        await page.locator(".review tbody").waitFor();
-        await checkLook(page, "parameters");
-        await page.locator(".status .stop").click({ trial: true }); // nothing covers it
-        await button(page, "Write").click();
-        await checkLook(page, "dialog");
-        await button(page, "Leave it").click();
-        await view(page, "Care");
-        await page.locator(".topic:visible summary").first().click();
-        await checkLook(page, "care");
-        await button(page, "Disconnect").click();
-        await page.getByRole("heading", { name: "Connect" }).waitFor();
-        await checkLook(page, "connect");
-      }, { look });
-    });
-  }
+for (const look of looks) {
+  const name = `${look.colorScheme}, ${look.viewport.width} pixels`;
+  test(`axe-core has nothing to say: ${name}; all fits`, () => connected(async (page) => {
+    await arm(page).click();
+    await checkLook(page, "move");
+    await readParameters(page);
+    await (await field(page, "axes.yaw.p")).fill("9");
+    await button(page, "Review").click();
+    await page.locator(".review tbody").waitFor();
+    await checkLook(page, "parameters");
+    await page.locator(".status .stop").click({ trial: true }); // nothing covers it
+    await button(page, "Write").click();
+    await checkLook(page, "dialog");
+    await button(page, "Leave it").click();
+    await view(page, "Care");
+    await page.locator(".topic:visible summary").first().click();
+    await checkLook(page, "care");
+    await button(page, "Disconnect").click();
+    await page.getByRole("heading", { name: "Connect" }).waitFor();
+    await checkLook(page, "connect");
+  }, look));
 }

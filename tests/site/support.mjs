@@ -1,6 +1,6 @@
 // The location of the site, and a browser for the tests.
 
-import { execFileSync } from "node:child_process";
+import { execFileSync, spawnSync } from "node:child_process";
 import fs from "node:fs";
 import http from "node:http";
 import { createRequire } from "node:module";
@@ -30,6 +30,9 @@ export function pages() {
   return found.sort();
 }
 
+/** The name of a page: BoardInfo3 is board-info3. */
+export const slug = (name) => name.replace(/([a-z0-9])(?=[A-Z])/g, "$1-").toLowerCase();
+
 /** Returns the exported model. */
 export const model = () =>
   JSON.parse(fs.readFileSync(path.join(root, "generated/simplebgc.json"), "utf8"));
@@ -51,15 +54,33 @@ export function frame(id, body) {
   return Buffer.concat([Buffer.from(header), content, Buffer.from([sum(content)])]);
 }
 
-/** Returns the exports of the WebAssembly module of the decoder and the frame builder. */
-export async function loadModule() {
+/** Starts a WebAssembly module. `call(name, input, ...numbers)` calls a function, and returns its output. */
+export async function startModule(code) {
+  const module = await WebAssembly.compile(code);
+  const needed = WebAssembly.Module.imports(module).map(({ name }) => name);
+  const files = Object.fromEntries(needed.map((name) => [name, () => 8]));
+  const { exports } = await WebAssembly.instantiate(module, { wasi_snapshot_preview1: files });
+  exports._initialize();
+  const call = (name, input, ...numbers) => {
+    const pointer = input && exports.input(input.length);
+    if (input) new Uint8Array(exports.memory.buffer, pointer, input.length).set(input);
+    exports[name](...numbers);
+    return Buffer.from(exports.memory.buffer, exports.output(), exports.output_size()).toString();
+  };
+  return { call, needed };
+}
+
+/** The WebAssembly module of the decoder and the frame builder. */
+export function messagesModule() {
   createRequire(import.meta.url)(path.join(site, "assets/messages-module.js"));
-  const code = Buffer.from(globalThis.sbgcMessagesModule, "base64");
-  const nothing = () => 8;
-  const files = { fd_close: nothing, fd_seek: nothing, fd_write: nothing };
-  const { instance } = await WebAssembly.instantiate(code, { wasi_snapshot_preview1: files });
-  instance.exports._initialize();
-  return instance.exports;
+  return Buffer.from(globalThis.sbgcMessagesModule, "base64");
+}
+
+/** Runs a program in Python with the package; returns what it prints, or how it fails. */
+export function runPython(program) {
+  const env = { ...process.env, PYTHONPATH: path.resolve(path.dirname(sbgc), "../python") };
+  const ran = spawnSync("/usr/bin/python3", ["-"], { input: program, env, encoding: "utf8" });
+  return ran.stderr || ran.stdout.trim();
 }
 
 /** Installs the npm package into a folder, as npm does, and imports it. */

@@ -1,8 +1,8 @@
 // The emulated board of the module `gimbal`: what `sbgc emulate` does, in the time of the page.
 //
-// board_start() and board_change() read lines NAME=VALUE: seed, board, firmware, motion, strength,
-// faults (as `sbgc emulate --fault` takes them), bit_errors, lost, duplicated and delayed. Their
-// output is a sentence that says what is wrong, or nothing. Times are microseconds.
+// board_start() and board_change() read lines NAME=VALUE: the EmulatorOptions of src/modules.ts,
+// with faults as `sbgc emulate --fault` takes them. Their output is a sentence that says what is
+// wrong, or nothing. Times are microseconds.
 
 #include <cstdint>
 #include <limits>
@@ -74,10 +74,10 @@ std::string read_option(std::string_view name, std::string_view value, EmulatorO
     return value.empty() ? "" : serving::add_faults(std::string(value), options.board);
   }
   if (name == "strength") return read_number(name, value, 100.0, frame.strength);
-  if (name == "bit_errors") return read_number(name, value, 1.0, line.bit_errors);
-  if (name == "lost") return read_number(name, value, 1.0, line.lost);
-  if (name == "duplicated") return read_number(name, value, 1.0, line.duplicated);
-  if (name == "delayed") return read_number(name, value, 1.0, line.delayed);
+  if (name == "bitErrors") return read_number(name, value, 1.0, line.bit_errors);
+  if (name == "lostBytes") return read_number(name, value, 1.0, line.lost);
+  if (name == "duplicatedBytes") return read_number(name, value, 1.0, line.duplicated);
+  if (name == "delayedBytes") return read_number(name, value, 1.0, line.delayed);
   return "there is no option '" + std::string(name) + "'";
 }
 

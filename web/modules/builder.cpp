@@ -28,15 +28,17 @@
 #include <sbgc/parser.hpp>
 #include <sbgc/text.hpp>
 
-#include "frames/json_string.hpp"
 #include "frames/value_rows.hpp"
 #include "modules/exchange.hpp"
+#include "modules/json_writer.hpp"
 #include "modules/message_form.hpp"
 #include "values/complete_message.hpp"
 
 namespace sbgc::tools {
 
 namespace {
+
+using web::JsonWriter;
 
 /// A problem of a field, or of the message if the path is "".
 using Problem = std::pair<std::string, std::string>;
@@ -99,71 +101,52 @@ std::string frame_of(const AnyMessage& message, std::vector<Problem>& problems,
   return "";
 }
 
-void put_list(TextOutput& out, const std::vector<Problem>& list) {
-  char separator = '[';
-  for (const auto& [path, sentence] : list) {
-    out.put(separator);
-    separator = ',';
-    out.put('[');
-    put_json_string(out, path);
-    out.put(',');
-    put_json_string(out, sentence);
-    out.put(']');
-  }
-  out.put(list.empty() ? "[]" : "]");
+void put_list(JsonWriter& out, const std::vector<Problem>& list) {
+  out.list([&] {
+    for (const auto& [path, sentence] : list) out.values(path, sentence);
+  });
 }
 
-/// Writes {"frame": …, "problems": …, without the brace at the end.
-void put_result(TextOutput& out, const std::string& frame, const std::vector<Problem>& problems) {
-  out.put("{\"frame\":");
-  put_json_string(out, frame);
-  out.put(",\"problems\":");
-  put_list(out, problems);
+/// Writes the members "frame" and "problems".
+void put_result(JsonWriter& out, const std::string& frame, const std::vector<Problem>& problems) {
+  out.member("frame", frame);
+  put_list(out.key("problems"), problems);
 }
 
-void build(std::string_view input, std::string& output) {
-  StringOutput out(output);
+/// Writes the members about the message that the values make.
+void put_built(JsonWriter& out, AnyMessage message, std::string_view lines) {
+  std::vector<Problem> problems = assign_all(lines, message);
+  add_demanded(message);
+  add_violations(message, problems);
+  put_result(out, frame_of(message, problems), problems);
+  const MessageForm form(message);
+  form.put_fields(out.key("fields"));
+  std::vector<Problem> warnings;
+  for_each_unnamed(message, [&](const std::string& path, const std::string& sentence) {
+    warnings.emplace_back(path, sentence);
+  });
+  put_list(out.key("warnings"), warnings);
+  out.key("lines").list([&] {
+    for (const FormLine& line : form.lines()) out.values(line.path, line.text, line.is_secret);
+  });
+}
+
+void build(std::string_view input, JsonWriter& out) {
   const std::string_view name = take_line(input);
   const std::string_view start = take_line(input);
   const MessageType* const type = find_message(name);
   if (type == nullptr) {
     put_result(out, "", {{"", no_message}});
-    out.put(R"(,"fields":[],"lines":[],"warnings":[]})");
-    return out.finish();
+    for (const char* const none : {"fields", "lines", "warnings"}) out.key(none).values();
+    return;
   }
   AnyMessage message = new_message(*type);
   read_frame(start, message);
-  std::vector<Problem> problems = assign_all(input, message);
-  add_demanded(message);
-  add_violations(message, problems);
-  const std::string frame = frame_of(message, problems);
-  const MessageForm form(message);
-  put_result(out, frame, problems);
-  out.put(",\"fields\":");
-  form.put_fields(out);
-  std::vector<Problem> warnings;
-  for_each_unnamed(message, [&](const std::string& path, const std::string& sentence) {
-    warnings.emplace_back(path, sentence);
-  });
-  out.put(",\"warnings\":");
-  put_list(out, warnings);
-  out.put(",\"lines\":[");
-  bool is_first = true;
-  for (const FormLine& line : form.lines()) {
-    out.put(is_first ? "[" : ",[");
-    is_first = false;
-    put_json_string(out, line.path);
-    out.put(',');
-    put_json_string(out, line.text);
-    out.put(line.is_secret ? ",true]" : ",false]");
-  }
-  out.put("]}");
-  out.finish();
+  put_built(out, std::move(message), input);
 }
 
 /// Makes the frame of a message in JSON, without its warnings and its form.
-void encode(std::string_view input, std::string& output) {
-  StringOutput out(output);
+void encode(std::string_view input, JsonWriter& out) {
   std::vector<Problem> problems;
   std::string frame;
   const MessageType* const type = find_message(take_line(input));
@@ -186,26 +169,23 @@ void encode(std::string_view input, std::string& output) {
     }
   }
   put_result(out, frame, problems);
-  out.put('}');
-  out.finish();
+}
+
+/// The output is the object whose members `put` writes.
+void answer(void (*put)(std::string_view input, JsonWriter& out)) {
+  exchange().output.clear();
+  JsonWriter out(exchange().output);
+  out.object([&] { put(web::input_text(), out); });
 }
 
 }  // namespace
 }  // namespace sbgc::tools
 
 /// Makes the frame of the input.
-SBGC_EXPORT(build) void sbgc_build() {
-  auto& exchange = sbgc::tools::exchange();
-  exchange.output.clear();
-  sbgc::tools::build(sbgc::web::input_text(), exchange.output);
-}
+SBGC_EXPORT(build) void sbgc_build() { sbgc::tools::answer(sbgc::tools::build); }
 
 /// Makes the frame of a message in JSON.
-SBGC_EXPORT(encode) void sbgc_encode() {
-  auto& exchange = sbgc::tools::exchange();
-  exchange.output.clear();
-  sbgc::tools::encode(sbgc::web::input_text(), exchange.output);
-}
+SBGC_EXPORT(encode) void sbgc_encode() { sbgc::tools::answer(sbgc::tools::encode); }
 
 /// Writes a new message as JSON; nothing if there is no such message.
 SBGC_EXPORT(defaults) void sbgc_defaults() {

@@ -10,18 +10,16 @@
 #include <sbgc/client/tasks.hpp>
 #include <sbgc/doctor/findings.hpp>
 #include <sbgc/doctor/measure.hpp>
+#include <sbgc/json/hex.hpp>
 #include <sbgc/parser.hpp>
 #include <sbgc/roles.hpp>
 
 #include "calls/pending_calls.hpp"
-#include "frames/json_string.hpp"
 #include "modules/actions.hpp"
 #include "passive_state.hpp"
 #include "tasks/hold_speed.hpp"
 
 namespace sbgc::web {
-
-using tools::put_json_string;
 
 namespace {
 
@@ -30,11 +28,6 @@ constexpr int view_interval_ms = 16;
 /// After a restart of the board, or a lost request, its stream is asked for again.
 constexpr Duration patience = milliseconds(700);
 constexpr Duration pause = milliseconds(8);
-
-void put_member(TextOutput& out, const char* name, std::string_view text) {
-  out.put(name);
-  put_json_string(out, text);
-}
 
 const char* name_of(ReplyKind kind) {
   switch (kind) {
@@ -46,10 +39,10 @@ const char* name_of(ReplyKind kind) {
   return "sent";
 }
 
-void put_frame(TextOutput& out, const Reply& reply) {
+std::string frame_of(const Reply& reply) {
   std::array<std::uint8_t, max_frame_size> frame{};
   const WriteResult written = write_frame(reply.framing, reply.id, reply.body, frame);
-  if (written) out.put_hex(std::span(frame).first(written.size));
+  return written ? detail::to_hex(std::span(frame).first(written.size)) : "";
 }
 
 Task<Result<Reply>> ask(AnyMessage request) { co_return co_await tasks::transact(request); }
@@ -71,56 +64,48 @@ struct Client::Held {
 };
 
 Client::Client() {
-  notices_ = client_.on_notice([this](const Notice& notice) {
-    report([&](TextOutput& out) { put_member(out, "\"notice\":", notice.message); });
-  });
+  notices_ = client_.on_notice([this](const Notice& notice) { report("notice", notice.message); });
 }
 
 void Client::connect(bool searches) {
   if (!searches) return identify();
   const auto set_line = [this](const LineSettings& line) {
-    report([&](TextOutput& out) {
-      out.put("\"baud\":");
-      out.put(static_cast<std::uint64_t>(line.baud_rate));
-      out.put(line.parity == Parity::even ? ",\"even\":true" : ",\"even\":false");
+    report([&](JsonWriter& out) {
+      out.member("baud", line.baud_rate);
+      out.member("even", line.parity == Parity::even);
     });
     return true;
   };
   client_.detect_line(set_line, [this](const Result<void>& found) {
     if (found) return identify();
-    report([&](TextOutput& out) { put_member(out, "\"failed\":", found.error().message); });
+    report("failed", found.error().message);
   });
 }
 
 void Client::identify() {
   client_.connect([this](const Result<void>& connected) {
-    if (!connected) {
-      return report(
-          [&](TextOutput& out) { put_member(out, "\"failed\":", connected.error().message); });
-    }
+    if (!connected) return report("failed", connected.error().message);
     const BoardIdentity& board = client_.identity();
-    report([&](TextOutput& out) {
-      put_member(out, "\"identity\":",
-                 "board " + board.board_version() + ", firmware " + board.firmware_version());
-    });
+    report("identity", "board " + board.board_version() + ", firmware " + board.firmware_version());
     client_.start(watch(), [](const Result<void>&) {});
   });
 }
 
-void Client::report(const std::function<void(TextOutput&)>& content) {
-  StringOutput out(reports_);
-  out.put('{');
-  content(out);
-  out.put("}\n");
-  out.finish();
+void Client::report(const Members& members) {
+  JsonWriter out(reports_);
+  out.object([&] { members(out); });
+  out.end_line();
 }
 
-void Client::report_end(double id, std::string_view error, std::string_view more) {
-  report([&](TextOutput& out) {
-    out.put("\"done\":");
-    out.put(static_cast<std::int64_t>(id));
-    if (!error.empty()) put_member(out, ",\"error\":", error);
-    out.put(more);
+void Client::report(const char* name, std::string_view text) {
+  report([&](JsonWriter& out) { out.member(name, text); });
+}
+
+void Client::report_end(double id, std::string_view error, const Members& more) {
+  report([&](JsonWriter& out) {
+    out.member("done", static_cast<std::int64_t>(id));
+    if (!error.empty()) out.member("error", error);
+    if (more) more(out);
   });
 }
 
@@ -167,16 +152,10 @@ std::string Client::send(double id, std::span<const std::uint8_t> bytes) {
     problem.clear();
     client_.start(ask(std::move(request)), [this, id](const Result<Reply>& reply) {
       if (!reply) return report_end(id, reply.error().message);
-      std::string more;
-      StringOutput out(more);
-      put_member(out, ",\"kind\":", name_of(reply->kind));
-      if (reply->id != 0) {
-        out.put(R"(,"frame":")");
-        put_frame(out, *reply);
-        out.put('"');
-      }
-      out.finish();
-      report_end(id, "", more);
+      report_end(id, "", [&](JsonWriter& out) {
+        out.member("kind", name_of(reply->kind));
+        if (reply->id != 0) out.member("frame", frame_of(*reply));
+      });
     });
   });
   return problem;
@@ -186,24 +165,20 @@ void Client::diagnose(double id) {
   client_.start(tasks::measure(), [this, id](Result<doctor::Measurements> measured) {
     if (!measured) return report_end(id, measured.error().message);
     measured->add(client_.statistics());
-    std::string more;
-    StringOutput out(more);
-    char separator = '[';
-    out.put(",\"findings\":");
-    for (const doctor::Finding& one : doctor::findings_of(*measured)) {
-      out.put(separator);
-      separator = ',';
-      put_member(out, "{\"id\":", one.id);
-      out.put(",\"axis\":");
-      out.put(one.axis ? static_cast<int>(*one.axis) : -1);
-      put_member(out, ",\"sentence\":", one.sentence);
-      put_member(out, ",\"advice\":", one.advice);
-      put_member(out, ",\"command\":", one.command);
-      out.put('}');
-    }
-    out.put(separator == '[' ? "[]" : "]");
-    out.finish();
-    report_end(id, "", more);
+    const auto put = [](JsonWriter& out, const doctor::Finding& one) {
+      out.object([&] {
+        out.member("id", one.id);
+        out.member("axis", one.axis ? static_cast<int>(*one.axis) : -1);
+        out.member("sentence", one.sentence);
+        out.member("advice", one.advice);
+        out.member("command", one.command);
+      });
+    };
+    report_end(id, "", [&](JsonWriter& out) {
+      out.key("findings").list([&] {
+        for (const doctor::Finding& one : doctor::findings_of(*measured)) put(out, one);
+      });
+    });
   });
 }
 
@@ -224,7 +199,7 @@ void Client::take(const tools::LiveValues& values) {
   std::string errors;
   for (const ValueInfo* const error : values.errors) errors += std::string(error->name) + '\n';
   if (errors == std::exchange(errors_, errors)) return;
-  report([&](TextOutput& out) { put_member(out, "\"errors\":", errors_); });
+  report("errors", errors_);
 }
 
 Task<Result<void>> Client::watch() {

@@ -12,9 +12,9 @@
 #include <utility>
 
 #include <sbgc/client/passive_client.hpp>
-#include <sbgc/text_output.hpp>
 
 #include "look/monitor/live_values.hpp"
+#include "modules/json_writer.hpp"
 
 namespace sbgc::web {
 
@@ -61,10 +61,13 @@ class Client {
   /// Turns with these speeds for some time, unless another motion begins. If no more commands reach
   /// the board, it brakes within half a second.
   void turn(double id, const Axes<msg::ControlSpeed>& speed, Instant now, Duration time);
-  /// Writes a report; `content` writes the members of its object.
-  void report(const std::function<void(TextOutput&)>& content);
-  /// Reports the end of a task; `more` has further members.
-  void report_end(double id, std::string_view error, std::string_view more = {});
+  /// Writes members of an object.
+  using Members = std::function<void(JsonWriter&)>;
+  /// Writes a report.
+  void report(const Members& members);
+  void report(const char* name, std::string_view text);
+  /// Reports the end of a task; `more` writes further members.
+  void report_end(double id, std::string_view error, const Members& more = {});
 
  private:
   void take(const tools::LiveValues& values);

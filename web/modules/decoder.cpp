@@ -22,42 +22,38 @@
 #include <vector>
 
 #include <sbgc/parser.hpp>
-#include <sbgc/text_output.hpp>
 
 #include "frames/decoded_frame.hpp"
-#include "frames/json_string.hpp"
 #include "frames/pasted_text.hpp"
 #include "frames/rejected_candidates.hpp"
 #include "modules/exchange.hpp"
+#include "modules/json_writer.hpp"
 
 namespace sbgc::tools {
 
 namespace {
 
+using web::JsonWriter;
+
 /// Writes ["axes.roll.angle", ...] for each row.
-void put_rows(TextOutput& out, const Rows& rows) {
-  char separator = '[';
-  for (const Row& row : rows) {
-    out.put(separator);
-    separator = ',';
-    char start = '[';
-    for (const std::string_view text :
-         {row.path.text(), rows.raw(row), rows.meaning(row), std::string_view(row.objection)}) {
-      out.put(start);
-      start = ',';
-      put_json_string(out, text);
+void put_rows(JsonWriter& out, const Rows& rows) {
+  out.list([&] {
+    for (const Row& row : rows) {
+      out.values(row.path.text(), rows.raw(row), rows.meaning(row), row.objection,
+                 frame_header_size + row.offset, row.size);
     }
-    out.put(',');
-    out.put(frame_header_size + row.offset);
-    out.put(',');
-    out.put(row.size);
-    out.put(']');
-  }
-  out.put(rows.empty() ? "[]" : "]");
+  });
 }
 
-/// Writes the message of a frame whose checksum is wrong, and its rows: any of them may be.
-void put_damaged(TextOutput& out, std::span<const std::uint8_t> input,
+/// Writes the name of the message and its rows, if there are any.
+void put_message(JsonWriter& out, const DecodedFrame& decoded) {
+  const bool is_known = decoded.message != nullptr && decoded.status;
+  out.put(is_known ? decoded.message->name : "");
+  put_rows(out, is_known ? decoded.rows : Rows());
+}
+
+/// Writes what sbgc_rejected_candidates() says of a frame whose checksum is wrong: any row may be.
+void put_damaged(JsonWriter& out, std::span<const std::uint8_t> input,
                  const RejectedCandidate& candidate, std::optional<Direction> direction) {
   const auto from = input.subspan(static_cast<std::size_t>(candidate.offset));
   FrameDecoder decoder({.rows = true});
@@ -66,24 +62,24 @@ void put_damaged(TextOutput& out, std::span<const std::uint8_t> input,
     const auto body = from.subspan(frame_header_size, candidate.wrong - frame_header_size);
     decoded = decoder.decode({from[frame_id_offset], body, 0, framing_of(from.data())}, direction);
   }
-  const bool is_known = decoded.message != nullptr && decoded.status;
-  put_json_string(out, is_known ? decoded.message->name : "");
-  out.put(',');
-  put_rows(out, is_known ? decoded.rows : Rows());
+  out.list([&] {
+    out.put(candidate.offset);
+    out.put(candidate.text);
+    out.values(candidate.wrong, candidate.wrong_size);
+    put_message(out, decoded);
+  });
 }
 
-/// Writes what sbgc_rejected_candidates() says of a frame without its start byte.
-void put_bare(TextOutput& out, const BareFrame& bare, std::optional<Direction> direction) {
+/// The same of a frame without its start byte.
+void put_bare(JsonWriter& out, const BareFrame& bare, std::optional<Direction> direction) {
   FrameDecoder decoder({.rows = true});
   const DecodedFrame decoded = decoder.decode(bare.frame, direction);
-  const bool is_known = decoded.message != nullptr && decoded.status;
-  out.put(bare.frame.offset);
-  out.put(',');
-  put_json_string(out, std::string(decoded.command) + ' ' + what_is_missing(bare));
-  out.put(",[0,0],");
-  put_json_string(out, is_known ? decoded.message->name : "");
-  out.put(',');
-  put_rows(out, is_known ? decoded.rows : Rows());
+  out.list([&] {
+    out.put(bare.frame.offset);
+    out.put(std::string(decoded.command) + ' ' + what_is_missing(bare));
+    out.values(0, 0);
+    put_message(out, decoded);
+  });
 }
 
 /// Decodes one input, from its first byte to its end.
@@ -117,21 +113,19 @@ class Decoding {
     }
     parser_.flush(Sink{*this, out});
     const ParserCounters counters = parser_.counters();
-    StringOutput line(out);
-    const auto put = [&](const char* name, std::uint64_t value) {
-      line.put(name);
-      line.put(value);
-    };
-    line.put(R"({"end":{"reading":)");
-    put_json_string(line, reading());
-    put(",\"bytes\":", size_);
-    put(",\"frames\":", counters.frames);
-    put(",\"skipped_bytes\":", counters.skipped_bytes);
-    put(",\"header_errors\":", counters.header_errors);
-    put(",\"body_errors\":", counters.body_errors);
-    put(",\"incomplete\":", counters.incomplete);
-    line.put("}}\n");
-    line.finish();
+    JsonWriter line(out);
+    line.object([&] {
+      line.key("end").object([&] {
+        line.member("reading", reading());
+        line.member("bytes", size_);
+        line.member("frames", counters.frames);
+        line.member("skipped_bytes", counters.skipped_bytes);
+        line.member("header_errors", counters.header_errors);
+        line.member("body_errors", counters.body_errors);
+        line.member("incomplete", counters.incomplete);
+      });
+    });
+    line.end_line();
   }
 
   std::optional<Direction> direction() const { return direction_; }
@@ -160,40 +154,32 @@ class Decoding {
     const bool is_told = direction_.has_value() || !text_;
     const DecodedFrame decoded =
         decoder_.decode(frame, is_told ? direction_ : text_->sender(frame.offset));
-    StringOutput line(out);
-    line.put("{\"frame\":");
-    put_json(line, decoded);
-    line.put(",\"size\":");
-    line.put(frame_size(frame.framing, frame.body.size()));
-    line.put(",\"body\":");
-    line.put(frame_header_size);
-    line.put(",\"checksum\":");
-    line.put(frame_header_size + frame.body.size());
-    line.put(",\"rows\":");
-    put_rows(line, decoded.rows);
-    line.put(decoded.is_guess ? R"(,"is_guess":true,"note":)" : R"(,"is_guess":false,"note":)");
-    put_json_string(line, decoded.note);
-    if (!decoded.status) {
-      line.put(",\"reason\":");
-      put_json_string(line, decoded.explanation);
-    }
-    line.put("}\n");
-    line.finish();
+    JsonWriter line(out);
+    line.object([&] {
+      put_json(line.key("frame").value(), decoded);
+      line.member("size", frame_size(frame.framing, frame.body.size()));
+      line.member("body", frame_header_size);
+      line.member("checksum", frame_header_size + frame.body.size());
+      put_rows(line.key("rows"), decoded.rows);
+      line.member("is_guess", decoded.is_guess);
+      line.member("note", decoded.note);
+      if (!decoded.status) line.member("reason", decoded.explanation);
+    });
+    line.end_line();
   }
 
   void fail(const TextError& error, std::string& out) {
     failed_ = true;
-    StringOutput line(out);
-    line.put(R"({"text_error":{"reading":)");
-    put_json_string(line, reading());
-    line.put(",\"line\":");
-    line.put(error.line);
-    line.put(",\"column\":");
-    line.put(error.column);
-    line.put(",\"reason\":");
-    put_json_string(line, error.reason);
-    line.put("}}\n");
-    line.finish();
+    JsonWriter line(out);
+    line.object([&] {
+      line.key("text_error").object([&] {
+        line.member("reading", reading());
+        line.member("line", error.line);
+        line.member("column", error.column);
+        line.member("reason", error.reason);
+      });
+    });
+    line.end_line();
   }
 
   std::optional<Direction> direction_;
@@ -245,35 +231,18 @@ SBGC_EXPORT(finish) void sbgc_finish() {
 SBGC_EXPORT(rejected_candidates) void sbgc_rejected_candidates(std::size_t gap, std::size_t limit) {
   const std::span<const std::uint8_t> input(exchange().input);
   exchange().output.clear();
-  sbgc::StringOutput list(exchange().output);
-  char separator = '[';
+  const std::optional<sbgc::Direction> direction = decoding().direction();
   const auto bare = sbgc::tools::bare_frames(input.first(std::min(gap, input.size())));
-  for (const auto& one : std::span(bare).first(std::min(limit, bare.size()))) {
-    list.put(separator);
-    separator = ',';
-    list.put('[');
-    sbgc::tools::put_bare(list, one, decoding().direction());
-    list.put(']');
-  }
-  if (!bare.empty()) limit = 0;
-  for (const auto& candidate :
-       sbgc::tools::rejected_candidates(input, gap, limit, decoding().direction())) {
-    list.put(separator);
-    separator = ',';
-    list.put('[');
-    list.put(candidate.offset);
-    list.put(',');
-    sbgc::tools::put_json_string(list, candidate.text);
-    list.put(",[");
-    list.put(candidate.wrong);
-    list.put(',');
-    list.put(candidate.wrong_size);
-    list.put("],");
-    sbgc::tools::put_damaged(list, input, candidate, decoding().direction());
-    list.put(']');
-  }
-  list.put(separator == '[' ? "[]" : "]");
-  list.finish();
+  sbgc::web::JsonWriter out(exchange().output);
+  out.list([&] {
+    for (const auto& one : std::span(bare).first(std::min(limit, bare.size()))) {
+      sbgc::tools::put_bare(out, one, direction);
+    }
+    if (!bare.empty()) limit = 0;
+    for (const auto& one : sbgc::tools::rejected_candidates(input, gap, limit, direction)) {
+      sbgc::tools::put_damaged(out, input, one, direction);
+    }
+  });
 }
 
 /// The largest size of a frame in bytes.

@@ -4,11 +4,12 @@
 
 #include <sbgc/text.hpp>
 
-#include "frames/json_string.hpp"
 #include "modules/settable_text.hpp"
 #include "values/field_text.hpp"
 
 namespace sbgc::tools {
+
+using web::JsonWriter;
 
 namespace {
 
@@ -47,38 +48,23 @@ void add_types(const FieldType& type, const std::string& path, FieldTypes& types
   }
 }
 
-void put_key(TextOutput& out, const char* key) {
-  out.put(",\"");
-  out.put(key);
-  out.put("\":");
+void put_names(JsonWriter& out, const EnumInfo& info) {
+  out.key("names").list([&] {
+    for (const ValueInfo& value : info.values) {
+      if (!info.is_flags || value.value != 0) out.put(value.name);
+    }
+  });
 }
 
-void put_text(TextOutput& out, const char* key, std::string_view text) {
-  put_key(out, key);
-  put_json_string(out, text);
-}
-
-void put_names(TextOutput& out, const EnumInfo& info) {
-  put_key(out, "names");
-  char separator = '[';
-  for (const ValueInfo& value : info.values) {
-    if (info.is_flags && value.value == 0) continue;
-    out.put(separator);
-    separator = ',';
-    put_json_string(out, value.name);
-  }
-  out.put(separator == '[' ? "[]" : "]");
-}
-
-void put_part(TextOutput& out, const PartInfo& part, std::uint64_t raw) {
-  out.put("{\"name\":");
-  put_json_string(out, part.name);
+void put_part(JsonWriter& out, const PartInfo& part, std::uint64_t raw) {
   const bool has_names = part.values != nullptr && !part.values->values.empty();
-  put_text(out, "kind", !has_names ? "number" : part.values->is_flags ? "flags" : "enum");
-  put_text(out, "value", settable_part(part, raw));
-  if (has_names) put_names(out, *part.values);
-  if (part.unit != nullptr) put_text(out, "unit", part.unit->name);
-  out.put('}');
+  out.object([&] {
+    out.member("name", part.name);
+    out.member("kind", !has_names ? "number" : part.values->is_flags ? "flags" : "enum");
+    out.member("value", settable_part(part, raw));
+    if (has_names) put_names(out, *part.values);
+    if (part.unit != nullptr) out.member("unit", part.unit->name);
+  });
 }
 
 /// Returns the limits of a number, and the values with a meaning of their own.
@@ -164,64 +150,56 @@ std::string MessageForm::joined(const std::string& path, bool is_initial) const 
   return text;
 }
 
-void MessageForm::put_fields(TextOutput& out) const {
+void MessageForm::put_fields(JsonWriter& out) const {
   put_members(out, message_.type().fields(), "", false);
 }
 
-void MessageForm::put_members(TextOutput& out, const std::vector<FieldType>& members,
+void MessageForm::put_members(JsonWriter& out, const std::vector<FieldType>& members,
                               const std::string& path, bool is_optional) const {
-  char separator = '[';
-  for (const FieldType& member : members) {
-    if (is_left_out(member)) continue;
-    out.put(separator);
-    separator = ',';
-    put(out, member, member.name, member_path(path, member.name),
-        is_optional || member.is_optional);
-  }
-  out.put(separator == '[' ? "[]" : "]");
-}
-
-void MessageForm::put_elements(TextOutput& out, const FieldType& type, const std::string& path,
-                               bool is_optional) const {
-  const bool is_list = type.shape == FieldShape::list;
-  const std::size_t count = !is_list         ? type.axes.size()
-                            : type.has_count ? type.count
-                                             : size_at(path);
-  out.put('[');
-  for (std::size_t i = 0; i < count; ++i) {
-    if (i != 0) out.put(',');
-    const std::string name = is_list ? '[' + std::to_string(i) + ']' : type.axes[i];
-    put(out, type.members.front(), name,
-        is_list ? element_path(path, i) : member_path(path, type.axes[i]), is_optional);
-  }
-  out.put(']');
-}
-
-void MessageForm::put(TextOutput& out, const FieldType& type, const std::string& name,
-                      const std::string& path, bool is_optional) const {
-  out.put("{\"path\":");
-  put_json_string(out, path);
-  put_text(out, "name", name);
-  if (is_optional) out.put(",\"optional\":true");
-  if (type.shape == FieldShape::group) {
-    put_text(out, "kind", "group");
-    put_key(out, "fields");
-    put_members(out, type.members, path, is_optional);
-  } else if (type.has_elements() && !is_line(type)) {
-    put_text(out, "kind", type.shape == FieldShape::list ? "list" : "axes");
-    if (type.shape == FieldShape::list && !type.has_count) {
-      put_key(out, "grows");
-      out.put(static_cast<std::uint64_t>(type.count));
+  out.list([&] {
+    for (const FieldType& member : members) {
+      if (is_left_out(member)) continue;
+      put(out, member, member.name, member_path(path, member.name),
+          is_optional || member.is_optional);
     }
-    put_key(out, "fields");
-    put_elements(out, type, path, is_optional);
-  } else {
-    put_value(out, type, path);
-  }
-  out.put('}');
+  });
 }
 
-void MessageForm::put_value(TextOutput& out, const FieldType& type, const std::string& path) const {
+void MessageForm::put_elements(JsonWriter& out, const FieldType& type, const std::string& path,
+                               bool is_optional) const {
+  const FieldType& element = type.members.front();
+  out.list([&] {
+    for (const char* const axis : type.axes) {
+      put(out, element, axis, member_path(path, axis), is_optional);
+    }
+    if (type.shape != FieldShape::list) return;
+    for (std::size_t i = 0; i < (type.has_count ? type.count : size_at(path)); ++i) {
+      put(out, element, element_path("", i), element_path(path, i), is_optional);
+    }
+  });
+}
+
+void MessageForm::put(JsonWriter& out, const FieldType& type, const std::string& name,
+                      const std::string& path, bool is_optional) const {
+  out.object([&] {
+    out.member("path", path);
+    out.member("name", name);
+    if (is_optional) out.member("optional", true);
+    if (type.shape == FieldShape::group) {
+      out.member("kind", "group");
+      put_members(out.key("fields"), type.members, path, is_optional);
+    } else if (type.has_elements() && !is_line(type)) {
+      const bool is_list = type.shape == FieldShape::list;
+      out.member("kind", is_list ? "list" : "axes");
+      if (is_list && !type.has_count) out.member("grows", type.count);
+      put_elements(out.key("fields"), type, path, is_optional);
+    } else {
+      put_value(out, type, path);
+    }
+  });
+}
+
+void MessageForm::put_value(JsonWriter& out, const FieldType& type, const std::string& path) const {
   const Value* const value = value_at(path);
   const auto kind = [&] {
     if (type.has_elements()) return "numbers";
@@ -231,31 +209,25 @@ void MessageForm::put_value(TextOutput& out, const FieldType& type, const std::s
     if (type.names != nullptr) return type.names->is_flags ? "flags" : "enum";
     return "number";
   };
-  put_text(out, "kind", kind());
-  if (type.info != nullptr && type.info->secret) out.put(",\"secret\":true");
+  out.member("kind", kind());
+  if (type.info != nullptr && type.info->secret) out.member("secret", true);
+  out.member("value", type.has_elements() ? joined(path, false)
+                      : value == nullptr  ? ""
+                                          : value->text);
   if (type.packed != nullptr && !type.has_elements()) {
-    const std::int64_t raw = value == nullptr ? type.initial : value->raw;
-    put_key(out, "parts");
-    char separator = '[';
-    for (const PartInfo& part : type.packed->parts) {
-      out.put(separator);
-      separator = ',';
-      put_part(out, part, detail::low_bits(static_cast<std::uint64_t>(raw), type.size));
-    }
-    out.put(separator == '[' ? "[]" : "]");
-    put_text(out, "value", value == nullptr ? "" : value->text);
-    return;
+    const auto raw = static_cast<std::uint64_t>(value == nullptr ? type.initial : value->raw);
+    return out.key("parts").list([&] {
+      for (const PartInfo& part : type.packed->parts) {
+        put_part(out, part, detail::low_bits(raw, type.size));
+      }
+    });
   }
   if (type.names != nullptr && !type.has_elements()) put_names(out, *type.names);
-  put_text(out, "value",
-           type.has_elements() ? joined(path, false)
-           : value == nullptr  ? ""
-                               : value->text);
   const FieldType& element = type.innermost();
   const UnitInfo* const unit = value == nullptr ? element.unit : value->unit;
-  if (unit != nullptr && *unit->name != '\0') put_text(out, "unit", unit->name);
+  if (unit != nullptr && *unit->name != '\0') out.member("unit", unit->name);
   const std::string hint = hint_of(type);
-  if (!hint.empty()) put_text(out, "hint", hint);
+  if (!hint.empty()) out.member("hint", hint);
 }
 
 std::vector<FormLine> MessageForm::lines() const {

@@ -10,7 +10,8 @@
 #include <vector>
 
 #include <sbgc/any.hpp>
-#include <sbgc/text_output.hpp>
+
+#include "modules/json_writer.hpp"
 
 namespace sbgc::tools {
 
@@ -35,14 +36,14 @@ class MessageForm {
 
   /// Writes a JSON list of fields. Each is {"path", "name", "kind", …}:
   ///
-  ///     group, axes        "fields"
-  ///     list               "fields", one for each element; "grows" with the most elements, if it
-  ///     can enum               "value", "names" flags              "value", "names" packed
-  ///     "parts", each with "name", "kind", "value", "names" and "unit" number, numbers, text,
-  ///     bytes   "value", "unit", "hint"
+  ///     group, axes     "fields"
+  ///     list            "fields", one for each element; "grows" with the most, if it can grow
+  ///     enum, flags     "value", "names"
+  ///     packed          "value"; "parts", each with "name", "kind", "value", "names" and "unit"
+  ///     number, numbers, text, bytes     "value", "unit", "hint"
   ///
   /// "optional" is set for what may be missing; its value is then "".
-  void put_fields(TextOutput& out) const;
+  void put_fields(web::JsonWriter& out) const;
 
   /// Returns what makes this message from a new one, in an order that works.
   std::vector<FormLine> lines() const;
@@ -61,13 +62,13 @@ class MessageForm {
   /// Returns the values of a list with commas between them.
   std::string joined(const std::string& path, bool is_initial) const;
 
-  void put(TextOutput& out, const FieldType& type, const std::string& name, const std::string& path,
-           bool is_optional) const;
-  void put_members(TextOutput& out, const std::vector<FieldType>& members, const std::string& path,
-                   bool is_optional) const;
-  void put_elements(TextOutput& out, const FieldType& type, const std::string& path,
+  void put(web::JsonWriter& out, const FieldType& type, const std::string& name,
+           const std::string& path, bool is_optional) const;
+  void put_members(web::JsonWriter& out, const std::vector<FieldType>& members,
+                   const std::string& path, bool is_optional) const;
+  void put_elements(web::JsonWriter& out, const FieldType& type, const std::string& path,
                     bool is_optional) const;
-  void put_value(TextOutput& out, const FieldType& type, const std::string& path) const;
+  void put_value(web::JsonWriter& out, const FieldType& type, const std::string& path) const;
   void add_lines(std::vector<FormLine>& lines, const FieldType& type, const std::string& path,
                  bool is_always) const;
 

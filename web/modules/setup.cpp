@@ -1,6 +1,7 @@
 // Exports of the module `setup`: the board, its parameters and their files, and what takes long and
 // needs a person. Profiles count from 1. Progress is reported as
-// {"progress": ID, "of": {"share": 0.5, "text": "…"}}, a result as {"done": ID, "result": …}.
+// {"progress": ID, "of": {"share": 0.5, "text": "…"}}, without a share if it is not known; a result
+// as {"done": ID, "result": …}.
 
 #include "modules/setup.hpp"
 
@@ -215,10 +216,7 @@ SBGC_EXPORT(setup_calibrate) void setup_calibrate(double id) {
     report_progress(id, share, fmt::format("calibrating for {:.0f} s", seconds));
     return !is_cancelled();
   };
-  client()->passive().start(tasks::run_calibration(std::move(request), options),
-                            [id](const Result<CalibrationEnd>& ended) {
-                              client()->report_end(id, ended ? "" : ended.error().message);
-                            });
+  client()->start(id, tasks::run_calibration(std::move(request), options));
 }
 
 /// Tunes the axes whose bits are set: 1 roll, 2 pitch, 4 yaw.

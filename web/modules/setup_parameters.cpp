@@ -140,15 +140,18 @@ Result<tools::VendorFile> read_elements(std::string_view lines) {
 }  // namespace
 
 void report_progress(double id, double share, std::string_view text) {
-  client()->report([&](TextOutput& out) {
-    const Json progress{{"share", share < 0 ? Json() : Json(share)}, {"text", text}};
-    out.put(fmt::format(R"("progress":{:.0f},"of":)", id));
-    out.put(detail::json_text(progress));
+  client()->report([&](JsonWriter& out) {
+    out.member("progress", static_cast<std::int64_t>(id));
+    out.key("of").object([&] {
+      if (share >= 0) out.member("share", share);
+      out.member("text", text);
+    });
   });
 }
 
 void report_result(double id, const Json& result) {
-  client()->report_end(id, "", ",\"result\":" + detail::json_text(result));
+  client()->report_end(
+      id, "", [&](JsonWriter& out) { out.key("result").value().put(detail::json_text(result)); });
 }
 
 void Parameters::read(double id, std::string created) {

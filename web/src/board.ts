@@ -1,27 +1,7 @@
 // An emulated board, as `sbgc emulate` makes it, in the time of its owner.
 
 import type { EmulatorOptions } from "./modules.js";
-import type { Wasm } from "./wasm.js";
-
-const settingNames: [keyof EmulatorOptions, string][] = [
-  ["seed", "seed"],
-  ["board", "board"],
-  ["firmware", "firmware"],
-  ["motion", "motion"],
-  ["strength", "strength"],
-  ["faults", "faults"],
-  ["bitErrors", "bit_errors"],
-  ["lostBytes", "lost"],
-  ["duplicatedBytes", "duplicated"],
-  ["delayedBytes", "delayed"],
-];
-
-function settings(options: EmulatorOptions): string {
-  return settingNames
-    .filter(([name]) => options[name] !== undefined)
-    .map(([name, setting]) => `${setting}=${String(options[name]).replaceAll("\n", " ")}`)
-    .join("\n");
-}
+import { settingLines, type Wasm } from "./wasm.js";
 
 /** A board with a line. Times are microseconds, and do not decrease. */
 export class Board {
@@ -34,7 +14,7 @@ export class Board {
   }
 
   #set(name: string, options: EmulatorOptions, now: number): void {
-    const problem = this.#wasm.text(name, settings(options), now);
+    const problem = this.#wasm.text(name, settingLines(options), now);
     if (problem !== "") throw new Error(problem);
   }
 

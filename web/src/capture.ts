@@ -52,7 +52,7 @@ export class Capture {
   }
 
   /** The content of the file. */
-  bytes(): Uint8Array {
+  bytes(): Uint8Array<ArrayBuffer> {
     const all = new Uint8Array(this.#parts.reduce((size, part) => size + part.length, 0));
     let at = 0;
     for (const part of this.#parts) {

@@ -27,9 +27,9 @@ export interface LineSettings {
   parity: "none" | "even";
 }
 
-/** How far a task is. `share` is 0 to 1, null if it is not known. */
+/** How far a task is. `share` is 0 to 1; it is absent if it is not known. */
 export interface Progress {
-  share: number | null;
+  share?: number;
   text: string;
 }
 

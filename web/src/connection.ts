@@ -1,44 +1,54 @@
-// The connection to a real gimbal: its client on one side, a port on the other.
+// The connection to a gimbal: its client on one side, a line on the other.
 
-import type { LineSettings } from "./client.js";
-import * as lines from "./line_ends.js";
+import { sentenceOf } from "./answers.js";
+import type { Client, Handlers, LineSettings } from "./client.js";
 import type { Direction } from "./messages.js";
-import { sentenceOf } from "./reports.js";
-import { SetupClient } from "./setup_client.js";
-import type { Place } from "./setup_messages.js";
-import type { Wasm } from "./wasm.js";
+import { now, Timer } from "./timer.js";
 
-const usualLine: LineSettings = { baudRate: 115200, parity: "none" };
+export const usualLine: LineSettings = { baudRate: 115200, parity: "none" };
 
-/** Microseconds of a clock that does not decrease. */
-export const now = (): number => Math.floor(performance.now() * 1000);
+export interface LineHandlers {
+  received(bytes: Uint8Array): void;
+  lost(reason: string): void;
+}
+
+/** An open line. */
+export interface LineEnd {
+  /** Resolves when the bytes have left, so that a stop never waits behind others. */
+  write(bytes: Uint8Array): Promise<void>;
+  /** Changes the settings, and discards what has arrived. */
+  set(settings: LineSettings): Promise<void>;
+  close(): Promise<void>;
+}
 
 /** What its owner is told. */
 export interface Watcher {
   /** Bytes of the line. */
-  observed(from: Direction, bytes: Uint8Array): void;
-  lost(reason: string): void;
+  observed?(from: Direction, bytes: Uint8Array): void;
+  lost?(reason: string): void;
   noticed(text: string): void;
   /** Called before the board is identified, with what can be closed. */
-  begun(made: Connection): void;
+  begun?(made: { close(): Promise<void> }): void;
 }
 
-export class Connection {
-  readonly client: SetupClient;
+export type OpenLine = (settings: LineSettings, handlers: LineHandlers) => Promise<LineEnd>;
+
+export class Connection<Kind extends Client = Client> {
+  readonly client: Kind;
   /** Versions of the board, in words. */
   identity = "";
   readonly #watcher: Watcher;
   readonly #identified: Promise<void>;
+  readonly #timer = new Timer(() => this.#advance());
   #failed = (_: Error): void => {};
-  #end: lines.LineEnd | undefined;
-  #timer: ReturnType<typeof setTimeout> | undefined;
+  #line: LineEnd | undefined;
   #settings: LineSettings;
   #wanted: LineSettings | undefined; // that a search tries next
   #isWriting = false;
-  #isOver = false;
+  #end: string | undefined;
 
-  private constructor(setup: Wasm, line: LineSettings | null, watcher: Watcher) {
-    this.#settings = line ?? usualLine;
+  private constructor(connect: (handlers: Handlers) => Kind, settings: LineSettings, watcher: Watcher) {
+    this.#settings = settings;
     this.#watcher = watcher;
     let identified = (_: string): void => {};
     this.#identified = new Promise<void>((resolve, reject) => {
@@ -46,29 +56,27 @@ export class Connection {
       this.#failed = reject;
     });
     this.#identified.catch(() => {}); // it may fail before it is waited for
-    const handlers = {
+    this.client = connect({
       identified,
-      failed: (text: string) => this.#failed(new Error(text)),
+      failed: (text) => this.#failed(new Error(text)),
       noticed: watcher.noticed,
-      lineSet: (settings: LineSettings) => void (this.#wanted = settings),
-    };
-    this.client = new SetupClient(setup, handlers, line === null);
+      lineSet: (wanted) => void (this.#wanted = wanted),
+    });
   }
 
-  /** Opens a line and identifies the board. Searches for its settings if `line` is null. */
-  static async open(
-    setup: Wasm,
-    place: Place,
-    line: LineSettings | null,
+  /** Opens a line, and identifies the board with a client that `connect` makes. */
+  static async open<Kind extends Client>(
+    connect: (handlers: Handlers) => Kind,
+    openLine: OpenLine,
     watcher: Watcher,
-  ): Promise<Connection> {
-    const known = place.kind === "serial" ? line : usualLine; // a bridge knows the settings
-    const made = new Connection(setup, known, watcher);
-    watcher.begun(made);
+    settings = usualLine,
+  ): Promise<Connection<Kind>> {
+    const made = new Connection(connect, settings, watcher);
+    watcher.begun?.(made);
     try {
-      made.#end = await lines.open(place, made.#settings, {
+      made.#line = await openLine(settings, {
         received: (bytes) => {
-          watcher.observed("board", bytes);
+          watcher.observed?.("board", bytes);
           made.client.receive(bytes, now());
           made.run();
         },
@@ -87,17 +95,26 @@ export class Connection {
     return this.#settings;
   }
 
+  /** Begins what a client does. */
+  begin<Result>(work: (client: Kind) => Promise<Result>): Promise<Result> {
+    if (this.#end !== undefined) return Promise.reject(new Error(this.#end));
+    const result = work(this.client);
+    this.run();
+    return result;
+  }
+
   /** Sends what is due, and waits for the rest. */
   run(): void {
-    clearTimeout(this.#timer);
-    if (this.#isOver) return;
+    this.#timer.run();
+  }
+
+  #advance(): number {
+    if (this.#end !== undefined) return Infinity;
     const bytes = this.client.advance(now());
     if (bytes.length > 0) void this.#send(bytes);
-    const due = this.client.deadline;
-    if (due === Infinity || this.#isOver) return;
-    const ms = Math.min(Math.max(0, (due - now()) / 1000), 60_000);
     // A client that waits for the line has news when the bytes have left.
-    this.#timer = setTimeout(() => this.run(), this.#isWriting ? Math.max(ms, 1) : ms);
+    const { deadline } = this.client;
+    return this.#isWriting ? Math.max(deadline, now() + 1000) : deadline;
   }
 
   async #send(bytes: Uint8Array): Promise<void> {
@@ -105,9 +122,9 @@ export class Connection {
     try {
       const wanted = this.#wanted;
       this.#wanted = undefined;
-      if (wanted) await this.#end?.set((this.#settings = wanted));
-      this.#watcher.observed("host", bytes);
-      await this.#end?.write(bytes);
+      if (wanted) await this.#line?.set((this.#settings = wanted));
+      this.#watcher.observed?.("host", bytes);
+      await this.#line?.write(bytes);
     } catch (error) {
       return this.#fail(sentenceOf(error));
     } finally {
@@ -118,20 +135,20 @@ export class Connection {
   }
 
   #fail(reason: string): void {
-    if (this.#isOver) return;
+    if (this.#end !== undefined) return;
     this.#finish(reason);
-    this.#watcher.lost(reason);
+    this.#watcher.lost?.(reason);
   }
 
   #finish(reason: string): void {
-    this.#isOver = true;
-    clearTimeout(this.#timer);
+    this.#end ??= reason;
+    this.#timer.stop();
     this.client.close(reason);
     this.#failed(new Error(reason));
   }
 
   async close(): Promise<void> {
     this.#finish("the line has been closed");
-    await this.#end?.close();
+    await this.#line?.close();
   }
 }

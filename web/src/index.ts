@@ -2,9 +2,11 @@
 
 import { Board } from "./board.js";
 import { Client, type Reply } from "./client.js";
+import { Connection, type LineEnd, type LineHandlers } from "./connection.js";
 import { Messages, ProtocolError, type Decoded, type Direction, type EncodeOptions } from "./messages.js";
 import type { FieldForm } from "./messages.js";
 import type { EmulatorOptions, Finding } from "./modules.js";
+import { now, Timer } from "./timer.js";
 import type { Answers, Input, Requests } from "./types.js";
 import { Wasm } from "./wasm.js";
 import type { View } from "./worker_messages.js";
@@ -58,28 +60,6 @@ export async function describe(name: string): Promise<FieldForm[]> {
 export interface Streams {
   readable: ReadableStream<Uint8Array>;
   writable: WritableStream<Uint8Array>;
-}
-
-const now = (): number => Math.floor(performance.now() * 1000);
-
-/** Calls `advance` whenever it is due. */
-class Timer {
-  #handle: ReturnType<typeof setTimeout> | undefined;
-
-  constructor(readonly advance: () => number) {}
-
-  /** Calls it at once; it returns when it is due again. */
-  run(): void {
-    clearTimeout(this.#handle);
-    const due = this.advance();
-    if (due === Infinity) return;
-    const ms = Math.min(Math.max(0, (due - now()) / 1000), 60_000);
-    this.#handle = setTimeout(() => this.run(), ms);
-  }
-
-  stop(): void {
-    clearTimeout(this.#handle);
-  }
 }
 
 /** An emulated board in real time, as a line to it. */
@@ -143,6 +123,43 @@ const settings = (values: object): string =>
     .map(([name, value]) => ` ${name}=${Number(value)}`)
     .join("");
 
+class StreamLine implements LineEnd {
+  readonly #reader: ReadableStreamDefaultReader<Uint8Array>;
+  readonly #writer: WritableStreamDefaultWriter<Uint8Array>;
+
+  constructor({ readable, writable }: Streams, handlers: LineHandlers) {
+    this.#reader = readable.getReader();
+    this.#writer = writable.getWriter();
+    void this.#read(handlers);
+  }
+
+  async #read({ received, lost }: LineHandlers): Promise<void> {
+    try {
+      for (;;) {
+        const { value, done } = await this.#reader.read();
+        if (done) break;
+        received(value);
+      }
+      lost("the line is closed");
+    } catch (error) {
+      lost(`the line is lost: ${String(error)}`);
+    }
+  }
+
+  write(bytes: Uint8Array): Promise<void> {
+    return this.#writer.write(bytes);
+  }
+
+  async set(): Promise<void> {}
+
+  async close(): Promise<void> {
+    await this.#reader.cancel().catch(() => {});
+    this.#reader.releaseLock();
+    await this.#writer.ready.catch(() => {});
+    this.#writer.releaseLock();
+  }
+}
+
 /**
  * A gimbal. Motions resolve when they have ended: a later one, or a stop, ends an earlier one, which then
  * rejects. The camera turns; read the guide to safety first.
@@ -151,57 +168,31 @@ export class Gimbal {
   /** Called with what the board says unasked, such as a restart. */
   onnotice: ((text: string) => void) | undefined;
   /** The board and its firmware. */
-  identity = "";
-  readonly #client: Client;
+  readonly identity: string;
+  readonly #connection: Connection;
   readonly #messages: Messages;
-  readonly #reader: ReadableStreamDefaultReader<Uint8Array>;
-  readonly #writer: WritableStreamDefaultWriter<Uint8Array>;
-  readonly #timer: Timer;
-  #end: string | undefined;
-  readonly #ended: (reason: string) => void;
 
-  private constructor(
-    wasm: Wasm,
-    codec: Messages,
-    streams: Streams,
-    ready: () => void,
-    failed: (message: string) => void,
-  ) {
+  private constructor(connection: Connection, codec: Messages) {
+    this.identity = connection.identity;
+    this.#connection = connection;
     this.#messages = codec;
-    this.#reader = streams.readable.getReader();
-    this.#writer = streams.writable.getWriter();
-    this.#ended = failed;
-    this.#client = new Client(wasm, {
-      identified: (text) => {
-        this.identity = text;
-        ready();
-      },
-      failed,
-      noticed: (text) => this.onnotice?.(text),
-    });
-    this.#timer = new Timer(() => this.#advance());
-    void this.#listen();
-    this.#timer.run();
   }
 
   /** Connects, and rejects if no board answers. */
   static async open(streams: Streams): Promise<Gimbal> {
     const [wasm, codec] = [await instance("gimbal"), await messages()];
     let gimbal: Gimbal | undefined;
-    try {
-      await new Promise<void>((resolve, reject) => {
-        gimbal = new Gimbal(wasm, codec, streams, resolve, (text) => reject(new Error(text)));
-      });
-    } catch (error) {
-      await gimbal?.close();
-      throw error;
-    }
-    return gimbal as unknown as Gimbal;
+    const connection = await Connection.open(
+      (handlers) => new Client(wasm, handlers),
+      async (_, handlers) => new StreamLine(streams, handlers),
+      { noticed: (text) => gimbal?.onnotice?.(text) },
+    );
+    return (gimbal = new Gimbal(connection, codec));
   }
 
   /** The last state that the board has reported; null before. */
   get view(): View | null {
-    return this.#client.view;
+    return this.#connection.client.view;
   }
 
   /** Sends a request; returns its answer, null for a confirmation or if there is none. */
@@ -217,7 +208,7 @@ export class Gimbal {
 
   /** Sends the request in a frame. */
   send(frame: Uint8Array): Promise<Reply> {
-    return this.#run(() => this.#client.send(frame));
+    return this.#connection.begin((client) => client.send(frame));
   }
 
   /** Moves the camera to these angles. `speed` in degrees a second: that of the parameters by default. */
@@ -258,63 +249,16 @@ export class Gimbal {
 
   /** Measures the gimbal for five seconds, as `sbgc doctor`. */
   diagnose(): Promise<Finding[]> {
-    return this.#run(() => this.#client.diagnose());
+    return this.#connection.begin((client) => client.diagnose());
   }
 
   /** Ends all calls, and gives the streams back. What moves goes on: stop it before. */
-  async close(): Promise<void> {
-    this.#fail("the client is closed");
-    await this.#reader.cancel().catch(() => {});
-    this.#reader.releaseLock();
-    await this.#writer.ready.catch(() => {});
-    this.#writer.releaseLock();
+  close(): Promise<void> {
+    return this.#connection.close();
   }
 
   #act(action: string): Promise<void> {
-    return this.#run(() => this.#client.act(action, now()));
-  }
-
-  #run<Result>(begin: () => Promise<Result>): Promise<Result> {
-    if (this.#end !== undefined) return Promise.reject(new Error(this.#end));
-    const result = begin();
-    this.#timer.run();
-    return result;
-  }
-
-  #fail(reason: string): void {
-    this.#end ??= reason;
-    this.#timer.stop();
-    this.#client.close(reason);
-    this.#ended(reason);
-  }
-
-  #advance(): number {
-    if (this.#end !== undefined) return Infinity;
-    const bytes = this.#client.advance(now());
-    if (bytes.length > 0) {
-      this.#writer.write(bytes).then(
-        () => {
-          this.#client.written(now());
-          this.#timer.run();
-        },
-        (error: unknown) => this.#fail(`the line is lost: ${String(error)}`),
-      );
-    }
-    return this.#client.deadline;
-  }
-
-  async #listen(): Promise<void> {
-    try {
-      for (;;) {
-        const { value, done } = await this.#reader.read();
-        if (done) break;
-        this.#client.receive(value, now());
-        this.#timer.run();
-      }
-      this.#fail("the line is closed");
-    } catch (error) {
-      this.#fail(`the line is lost: ${String(error)}`);
-    }
+    return this.#connection.begin((client) => client.act(action, now()));
   }
 }
 

@@ -8,6 +8,8 @@ import type { Wasm } from "./wasm.js";
 /** Called with the bytes of each direction, and their time in microseconds. */
 export type Observer = (from: "host" | "board", bytes: Uint8Array, now: number) => void;
 
+const stepUs = 50_000;
+
 /** A client and a board, connected. */
 export class EmulatedGimbal {
   readonly board: Board;
@@ -47,6 +49,18 @@ export class EmulatedGimbal {
     }
     this.#now = Math.max(this.#now, Math.floor(until));
     return true;
+  }
+
+  /** Waits for work while virtual time passes; its owner does other work between two steps. */
+  async during<Result>(work: Promise<Result>): Promise<Result> {
+    let isOver = false;
+    const end = (): void => void (isOver = true);
+    work.then(end, end);
+    while (!isOver) {
+      this.run(this.#now + stepUs);
+      await new Promise((resolve) => setTimeout(resolve));
+    }
+    return work;
   }
 
   #step(): void {

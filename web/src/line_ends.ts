@@ -1,22 +1,9 @@
 // The lines to a real gimbal: Web Serial, and the WebSocket of `sbgc bridge`.
 
+import { sentenceOf } from "./answers.js";
 import type { LineSettings } from "./client.js";
-import { sentenceOf } from "./reports.js";
+import type { LineEnd, LineHandlers } from "./connection.js";
 import type { Place } from "./setup_messages.js";
-
-export interface LineHandlers {
-  received(bytes: Uint8Array): void;
-  lost(reason: string): void;
-}
-
-/** An open line. */
-export interface LineEnd {
-  /** Resolves when the bytes have left, so that a stop never waits behind others. */
-  write(bytes: Uint8Array): Promise<void>;
-  /** Changes the settings, and discards what has arrived. */
-  set(settings: LineSettings): Promise<void>;
-  close(): Promise<void>;
-}
 
 /** Opens the line. `settings` are those of a serial port. */
 export function open(place: Place, settings: LineSettings, handlers: LineHandlers): Promise<LineEnd> {

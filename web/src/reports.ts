@@ -1,5 +1,6 @@
 // The reports that the workers of both pages send by themselves: the state of the gimbal, and decoded frames.
 
+import { sentenceOf } from "./answers.js";
 import { Log } from "./log.js";
 import type { Direction } from "./messages.js";
 import { Wasm } from "./wasm.js";
@@ -10,9 +11,6 @@ const mostFrames = 200;
 const leastMs = 16;
 
 type Say = (report: Extract<Report, { kind: "view" | "log" | "failed" }>) => void;
-
-export const sentenceOf = (error: unknown): string =>
-  error instanceof Error ? error.message : String(error);
 
 export class Reports {
   readonly #say: Say;

@@ -1,10 +1,10 @@
 // The client of the module `setup`: parameters, calibrations and tuning beside motion.
 
 import { Client, type Handlers, type Progress } from "./client.js";
-import type { Calibration, Plan, Topic } from "./setup_messages.js";
-import type { Wasm } from "./wasm.js";
+import type { Calibration, Check, Plan, Read, Response, Topic, Written } from "./setup_messages.js";
+import { settingLines, type Wasm } from "./wasm.js";
 
-type OnProgress = (progress: Progress) => void;
+export type OnProgress = (progress: Progress) => void;
 
 /** What the module knows of the board. */
 export interface BoardFacts {
@@ -14,11 +14,6 @@ export interface BoardFacts {
   serialNumber: string;
   lacks: string[];
 }
-
-const settings = (values: Record<string, string>): string =>
-  Object.entries(values)
-    .map(([name, value]) => `${name}=${value.replaceAll("\n", " ")}\n`)
-    .join("");
 
 const now = (): string => `${new Date().toISOString().slice(0, 19)}Z`;
 
@@ -30,11 +25,11 @@ export class SetupClient extends Client {
   }
 
   get board(): BoardFacts {
-    return this.#json("setup_board", null) as BoardFacts;
+    return this.#json("setup_board", null);
   }
 
   /** Reads all parameters. */
-  read(progressed?: OnProgress): Promise<unknown> {
+  read(progressed?: OnProgress): Promise<Read> {
     return this.#task("setup_read", now(), progressed);
   }
 
@@ -42,7 +37,7 @@ export class SetupClient extends Client {
   async profile(profile: number): Promise<Topic[]> {
     const topics: Topic[] = [];
     for (let number = 0; ; ++number) {
-      const topic = this.#json("setup_topic", null, number, profile) as Topic | null;
+      const topic = this.#json<Topic | null>("setup_topic", null, number, profile);
       if (topic === null) return topics;
       const { parameters } = topic;
       // The module writes a list of names once; elsewhere it names the parameter that has it.
@@ -56,19 +51,19 @@ export class SetupClient extends Client {
   }
 
   plan(values: Record<string, string>, profile: number): Plan {
-    return this.#json("setup_plan", settings(values), profile) as Plan;
+    return this.#json("setup_plan", settingLines(values), profile);
   }
 
   planFile(text: string, profile: number): Plan {
-    return this.#json("setup_plan_file", text, profile) as Plan;
+    return this.#json("setup_plan_file", text, profile);
   }
 
   planUndo(): Plan {
-    return this.#json("setup_plan_undo", null) as Plan;
+    return this.#json("setup_plan_undo", null);
   }
 
   /** Writes the last plan, reads back and compares. */
-  write(): Promise<unknown> {
+  write(): Promise<Written> {
     return this.#task("setup_write", now());
   }
 
@@ -83,23 +78,23 @@ export class SetupClient extends Client {
   }
 
   calibrations(): Calibration[] {
-    return this.#json("setup_calibrations", null) as Calibration[];
+    return this.#json("setup_calibrations", null);
   }
 
-  check(calibration: string): Promise<unknown> {
+  check(calibration: string): Promise<Check> {
     return this.#task("setup_check", calibration);
   }
 
-  calibrate(name: string, values: Record<string, string>, progressed: OnProgress): Promise<unknown> {
-    return this.#task("setup_calibrate", `${name}\n${settings(values)}`, progressed);
+  calibrate(name: string, values: Record<string, string>, progressed: OnProgress): Promise<void> {
+    return this.#task("setup_calibrate", `${name}\n${settingLines(values)}`, progressed);
   }
 
-  tune(axes: boolean[], gain: number, profile: number, progressed: OnProgress): Promise<unknown> {
+  tune(axes: boolean[], gain: number, profile: number, progressed: OnProgress): Promise<void> {
     const bits = axes.reduce((all, isOn, axis) => all + (isOn ? 2 ** axis : 0), 0);
     return this.#task("setup_tune", null, progressed, bits, gain, profile);
   }
 
-  bode(axis: number, gain: number, from: number, to: number, progressed: OnProgress): Promise<unknown> {
+  bode(axis: number, gain: number, from: number, to: number, progressed: OnProgress): Promise<Response> {
     return this.#task("setup_bode", null, progressed, axis, gain, from, to);
   }
 
@@ -107,20 +102,20 @@ export class SetupClient extends Client {
     this.wasm.call("setup_cancel");
   }
 
-  #json(name: string, input: string | null, ...numbers: number[]): unknown {
+  #json<Result>(name: string, input: string | null, ...numbers: number[]): Result {
     return JSON.parse(this.wasm.text(name, input, ...numbers));
   }
 
-  async #task(
+  async #task<Result>(
     name: string,
     input: string | null,
     progressed?: OnProgress,
     ...numbers: number[]
-  ): Promise<unknown> {
+  ): Promise<Result> {
     const line = await this.begin((id) => {
       this.wasm.text(name, input, id, ...numbers);
       return "";
     }, progressed);
-    return line.result;
+    return line.result as Result;
   }
 }

@@ -1,7 +1,7 @@
 // The messages between the page that sets up a real gimbal and its worker, besides worker_messages.ts.
 // The worker owns the line, the client, the clock, and an emulated board for trials.
 
-import type { LineSettings } from "./client.js";
+import type { LineSettings, Progress } from "./client.js";
 import type * as playground from "./worker_messages.js";
 import type { Axes } from "./worker_messages.js";
 
@@ -13,13 +13,47 @@ export type Place =
   | { kind: "serial"; index: number; vendor: number | null; product: number | null }
   | { kind: "bridge"; url: string; token: string };
 
+/** What the page asks for by name; the `result` of `done` is what it returns. */
+export interface Work {
+  /** Opens the line, searches for its settings unless they are given, and identifies the board. */
+  connect(place: Place, line: LineSettings | null): Connected;
+  /** Stops what this page moves, and gives the line back. */
+  disconnect(): void;
+  /** Begins and ends a recording; returns its bytes, which `sbgc decode` reads. */
+  record(on: boolean): Uint8Array<ArrayBuffer> | undefined;
+  /** Reads all parameters. */
+  read(): Read;
+  /** The parameters of a profile, from 1, as they were read. */
+  profile(profile: number): Topic[];
+  /** What these values would change: by `message.path`, as people write them, in one profile. */
+  plan(values: Record<string, string>, profile: number): Plan;
+  /** What a file would change: a backup, or the elementsOf() one of the vendor's program. */
+  planFile(text: string, profile: number): Plan;
+  /** What would undo the last writing. */
+  planUndo(): Plan;
+  /** Writes the last plan to an emulated board that has the parameters of the real one. */
+  tryOut(): Trial;
+  /** Writes the last plan, reads back and compares. */
+  write(): Written;
+  /** The text of a backup. */
+  backup(): string;
+  calibrations(): Calibration[];
+  /** Looks whether the gimbal is as the calibration expects it. */
+  check(calibration: string): Check;
+  calibrate(calibration: string, values: Record<string, string>): void;
+  /** Tunes the controllers; the parameters are read before, for `planUndo`. */
+  tune(axes: boolean[], gain: number, profile: number): void;
+  /** Records the response of an axis, 0 roll, 1 pitch, 2 yaw, to noise of these frequencies in hertz. */
+  bode(axis: number, gain: number, from: number, to: number): Response;
+  /** Ends a calibration's wait, a tuning or a recording as far as the board allows. */
+  cancel(): void;
+}
+type Asked<Name extends keyof Work> = { kind: "work"; id: number; name: Name; args: Parameters<Work[Name]> };
+
 /** From the page. The worker answers everything that has an `id` with `done` of the same one. */
 export type Request =
   | Extract<playground.Request, { kind: "act" | "doctor" | "log" }>
-  /** Opens the line, searches for its settings unless they are given, and identifies the board. */
-  | { kind: "connect"; id: number; place: Place; line: LineSettings | null }
-  /** Stops what this page moves, and gives the line back. */
-  | { kind: "disconnect"; id: number }
+  | { [Name in keyof Work]: Asked<Name> }[keyof Work]
   /** Whether `act` and `hold` may move the camera; a new connection is not armed. */
   | { kind: "arm"; on: boolean }
   /** Stops the camera, before everything that waits. */
@@ -28,35 +62,7 @@ export type Request =
    * Turns at these speeds, roll, pitch, yaw in degrees a second, as long as it is repeated: the camera
    * brakes when none has come for 300 ms. All 0: it stops.
    */
-  | { kind: "hold"; speeds: Axes }
-  /** Begins and ends a recording; `done` has its bytes, which `sbgc decode` reads. */
-  | { kind: "record"; on: boolean; id: number }
-  /** Reads all parameters. */
-  | { kind: "parameters"; id: number }
-  /** The parameters of a profile, from 1, as they were read. */
-  | { kind: "profile"; id: number; profile: number }
-  /** What these values would change: by `message.path`, as people write them, in one profile. */
-  | { kind: "plan"; id: number; profile: number; values: Record<string, string> }
-  /** What a file would change: a backup, or the elementsOf() one of the vendor's program. */
-  | { kind: "plan-file"; id: number; text: string; profile: number }
-  /** What would undo the last writing. */
-  | { kind: "plan-undo"; id: number }
-  /** Writes the last plan to an emulated board that has the parameters of the real one. */
-  | { kind: "try"; id: number }
-  /** Writes the last plan, reads back and compares. */
-  | { kind: "write"; id: number }
-  /** The text of a backup. */
-  | { kind: "backup"; id: number }
-  | { kind: "calibrations"; id: number }
-  /** Looks whether the gimbal is as the calibration expects it. */
-  | { kind: "check"; id: number; calibration: string; values: Record<string, string> }
-  | { kind: "calibrate"; id: number; calibration: string; values: Record<string, string> }
-  /** Tunes the controllers; the parameters are read before, for `plan-undo`. */
-  | { kind: "tune"; id: number; axes: [boolean, boolean, boolean]; gain: number; profile: number }
-  /** Records the response of an axis, 0 roll, 1 pitch, 2 yaw, to noise of these frequencies in hertz. */
-  | { kind: "bode"; id: number; axis: number; gain: number; from: number; to: number }
-  /** Ends a calibration's wait, a tuning or a recording as far as the board allows. */
-  | { kind: "cancel"; id: number };
+  | { kind: "hold"; speeds: Axes };
 
 /** To the page. */
 export type Report =
@@ -66,8 +72,8 @@ export type Report =
   | { kind: "link"; state: LinkState; text: string }
   /** Motion is locked, although the line is there: the computer has slept. */
   | { kind: "locked"; text: string }
-  /** Of a task that takes long. `share` is 0 to 1, null if it is not known. */
-  | { kind: "progress"; id: number; share: number | null; text: string }
+  /** Of a task that takes long. */
+  | ({ kind: "progress"; id: number } & Progress)
   | (Extract<playground.Report, { kind: "done" }> & { result?: unknown });
 
 export type LinkState = "closed" | "searching" | "connected" | "lost";
@@ -83,7 +89,7 @@ export interface Connected {
   lacks: string[];
 }
 
-/** The result of `parameters` and `write`. */
+/** The result of `read`. */
 export interface Read {
   /** From 1. */
   active: number;
@@ -117,7 +123,7 @@ export interface Parameter {
   default: string;
 }
 
-/** The result of `plan`, `plan-file` and `plan-undo`. */
+/** The result of `plan`, `planFile` and `planUndo`. */
 export interface Plan {
   changes: Change[];
   /** What is wrong with the values: `message.path`, or "", and a sentence. Nothing can be written then. */
@@ -136,7 +142,7 @@ export interface Change {
   line: boolean;
 }
 
-/** The result of `try`: what the emulated board says. */
+/** The result of `tryOut`: what the emulated board says. */
 export interface Trial {
   /** Sentences of the doctor before and with the plan. */
   before: string[];

@@ -1,13 +1,16 @@
 // The worker of the page that sets up a real gimbal: the line, its client, and what moves the camera.
 // Hidden pages sleep, their workers do not, so what is held is stopped here.
 
+import { answer, sentenceOf } from "./answers.js";
 import { Capture } from "./capture.js";
-import type { LineSettings } from "./client.js";
-import { Connection, now } from "./connection.js";
+import type { LineSettings, Progress } from "./client.js";
+import { Connection, usualLine } from "./connection.js";
+import * as lines from "./line_ends.js";
 import type { Direction } from "./messages.js";
-import { Reports, sentenceOf } from "./reports.js";
-import type { SetupClient } from "./setup_client.js";
-import type { Connected, Place, Report, Request } from "./setup_messages.js";
+import { Reports } from "./reports.js";
+import { type OnProgress, SetupClient } from "./setup_client.js";
+import type { Connected, Place, Report, Request, Trial, Work } from "./setup_messages.js";
+import { now } from "./timer.js";
 import { tryOut } from "./trial.js";
 import { Wasm } from "./wasm.js";
 import type { Axes } from "./worker_messages.js";
@@ -22,12 +25,16 @@ const reportMs = 16;
 const sleepMs = 2000;
 
 const say = (report: Report): void => postMessage(report);
+/** How the worker does what the page asks for by name. */
+type Doing<Name extends keyof Work> = (
+  ...all: [...Parameters<Work[Name]>, OnProgress]
+) => ReturnType<Work[Name]> | Promise<ReturnType<Work[Name]>>;
 const isStill = (speeds: Axes): boolean => speeds.every((speed) => speed === 0);
 const moves = (action: string): boolean => action !== "stop" && action !== "motors off";
 
 class Workshop {
-  #connection: Connection | null = null;
-  #opening: Connection | null = null;
+  #connection: Connection<SetupClient> | null = null;
+  #opening: { close(): Promise<void> } | null = null;
   #place: Place | null = null;
   #line: LineSettings | null = null;
   #serialNumber = "";
@@ -55,35 +62,21 @@ class Workshop {
   }
 
   #take(request: Request): void {
-    try {
-      const work = this.#begin(request);
-      if ("id" in request) void this.#answer(request.id, work);
-    } catch (error) {
-      if ("id" in request) say({ kind: "done", id: request.id, error: sentenceOf(error) });
-    }
+    const work = this.#begin(request);
+    if ("id" in request) answer(say, request.id, work);
     this.#run();
   }
 
-  async #answer(id: number, work: unknown): Promise<void> {
-    try {
-      say({ kind: "done", id, ...((await work) as object | undefined) });
-    } catch (error) {
-      say({ kind: "done", id, error: sentenceOf(error) });
-    }
-  }
-
-  #begin(request: Request): unknown {
-    const result = async (work: unknown): Promise<object> => ({ result: await work });
-    const progressed = (progress: { share: number | null; text: string }): void =>
-      say({ kind: "progress", id: "id" in request ? request.id : 0, ...progress });
+  async #begin(request: Request): Promise<object | void> {
     switch (request.kind) {
-      case "connect":
-        return result(this.#connect(request.place, request.line));
-      case "disconnect":
-        return this.#disconnect();
+      case "work": {
+        const { id, name, args } = request;
+        const work = this.#work[name] as (...all: unknown[]) => unknown;
+        return { result: await work(...args, (now: Progress) => say({ kind: "progress", id, ...now })) };
+      }
       case "arm":
         this.#isArmed = request.on && this.#connection !== null;
-        return undefined;
+        return;
       case "act":
         if (moves(request.action)) this.#needArmed();
         return this.#client.act(request.action, now());
@@ -92,48 +85,41 @@ class Workshop {
       case "hold":
         return this.#turn(request.speeds);
       case "doctor":
-        return this.#client.diagnose().then((findings) => ({ findings }));
+        return { findings: await this.#client.diagnose() };
       case "log":
         return this.#reports.setLog(request.on);
-      case "record":
-        return result(this.#record(request.on));
-      case "parameters":
-        this.#hasRead = true;
-        return result(this.#client.read(progressed));
-      case "profile":
-        return result(this.#client.profile(request.profile));
-      case "plan":
-        return result(this.#client.plan(request.values, request.profile));
-      case "plan-file":
-        return result(this.#client.planFile(request.text, request.profile));
-      case "plan-undo":
-        return result(this.#client.planUndo());
-      case "try":
-        return result(this.#try());
-      case "write":
-        return result(this.#client.write());
-      case "backup":
-        return result(this.#client.backup(false));
-      case "calibrations":
-        return result(this.#client.calibrations());
-      case "check":
-        return result(this.#client.check(request.calibration));
-      case "calibrate":
-        if (this.#client.calibrations().some((one) => one.name === request.calibration && one.moves)) {
-          this.#needArmed();
-        }
-        return result(this.#client.calibrate(request.calibration, request.values, progressed));
-      case "tune":
-        return this.#tune(request.axes, request.gain, request.profile, progressed);
-      case "bode": {
-        this.#needArmed();
-        const { axis, gain, from, to } = request;
-        return result(this.#client.bode(axis, gain, from, to, progressed));
-      }
-      case "cancel":
-        return this.#client.cancel();
     }
   }
+
+  readonly #work: { [Name in keyof Work]: Doing<Name> } = {
+    connect: (place, line) => this.#connect(place, line),
+    disconnect: () => this.#disconnect(),
+    record: (on) => this.#record(on),
+    read: (progressed) => {
+      this.#hasRead = true;
+      return this.#client.read(progressed);
+    },
+    profile: (profile) => this.#client.profile(profile),
+    plan: (values, profile) => this.#client.plan(values, profile),
+    planFile: (text, profile) => this.#client.planFile(text, profile),
+    planUndo: () => this.#client.planUndo(),
+    tryOut: () => this.#tryOut(),
+    write: () => this.#client.write(),
+    backup: () => this.#client.backup(false),
+    calibrations: () => this.#client.calibrations(),
+    check: (calibration) => this.#client.check(calibration),
+    calibrate: (calibration, values, progressed) => {
+      const one = this.#client.calibrations().find(({ name }) => name === calibration);
+      if (one?.moves) this.#needArmed();
+      return this.#client.calibrate(calibration, values, progressed);
+    },
+    tune: (axes, gain, profile, progressed) => this.#tune(axes, gain, profile, progressed),
+    bode: (...all) => {
+      this.#needArmed();
+      return this.#client.bode(...all);
+    },
+    cancel: () => this.#client.cancel(),
+  };
 
   #needArmed(): void {
     if (!this.#isArmed) throw new Error("motion is locked: arm it first");
@@ -179,14 +165,20 @@ class Workshop {
 
   async #open(place: Place, wanted: LineSettings | null): Promise<Connected> {
     say({ kind: "link", state: "searching", text: "looking for the board" });
-    let opened: Connection | undefined;
+    let opened: Connection<SetupClient> | undefined;
     try {
-      opened = await Connection.open(this.setup, place, wanted, {
-        observed: (from, bytes) => this.#observe(from, bytes),
-        lost: (reason) => opened === this.#connection && void this.#find(reason),
-        noticed: (text) => say({ kind: "notice", text }),
-        begun: (made) => void (this.#opening = made),
-      });
+      const known = place.kind === "serial" ? wanted : usualLine; // a bridge knows the settings
+      opened = await Connection.open(
+        (handlers) => new SetupClient(this.setup, handlers, known === null),
+        (settings, handlers) => lines.open(place, settings, handlers),
+        {
+          observed: (from, bytes) => this.#observe(from, bytes),
+          lost: (reason) => opened === this.#connection && void this.#find(reason),
+          noticed: (text) => say({ kind: "notice", text }),
+          begun: (made) => void (this.#opening = made),
+        },
+        known ?? usualLine,
+      );
     } finally {
       this.#opening = null;
     }
@@ -245,13 +237,13 @@ class Workshop {
     say({ kind: "link", state: "closed", text: "" });
   }
 
-  #record(on: boolean): Uint8Array | undefined {
+  #record(on: boolean): Uint8Array<ArrayBuffer> | undefined {
     const made = this.#capture;
     this.#capture = on ? new Capture(now()) : null;
     return on ? undefined : made?.bytes();
   }
 
-  async #try(): Promise<unknown> {
+  async #tryOut(): Promise<Trial> {
     const client = this.#client;
     const gimbal = await Wasm.load(new URL("./gimbal.wasm", import.meta.url));
     const setup = await Wasm.load(this.setup.module);
@@ -262,7 +254,7 @@ class Workshop {
     axes: boolean[],
     gain: number,
     profile: number,
-    progressed: (progress: { share: number | null; text: string }) => void,
+    progressed: OnProgress,
   ): Promise<void> {
     this.#needArmed();
     const client = this.#client;

@@ -1,27 +1,12 @@
 // A trial of parameters on an emulated board that has those of the real one.
 
 import { EmulatedGimbal } from "./line.js";
-import type { BoardFacts } from "./setup_client.js";
-import { SetupClient } from "./setup_client.js";
-import type { Plan, Trial, Written } from "./setup_messages.js";
+import { type BoardFacts, SetupClient } from "./setup_client.js";
+import type { Trial } from "./setup_messages.js";
 import type { Wasm } from "./wasm.js";
 
 /** The motion that shows how the controllers behave. */
 const motion = "handheld";
-/** Virtual time of one step; the worker does other work between two. */
-const stepUs = 50_000;
-
-/** Waits for a task while virtual time passes. */
-async function during<Result>(gimbal: EmulatedGimbal, work: Promise<Result>): Promise<Result> {
-  let isOver = false;
-  const end = (): void => void (isOver = true);
-  work.then(end, end);
-  while (!isOver) {
-    gimbal.run(gimbal.now + stepUs);
-    await new Promise((resolve) => setTimeout(resolve));
-  }
-  return work;
-}
 
 /** Measures the emulated board with the parameters of one backup, and then with those of another. */
 export async function tryOut(
@@ -45,18 +30,18 @@ export async function tryOut(
     (handlers) => new SetupClient(modules.setup, handlers),
   );
   const client = gimbal.client as SetupClient;
-  await during(gimbal, ready);
-  await during(gimbal, client.act("motors on", gimbal.now));
-  await during(gimbal, client.read());
+  await gimbal.during(ready);
+  await gimbal.during(client.act("motors on", gimbal.now));
+  await gimbal.during(client.read());
   const findings = async (backup: string): Promise<string[]> => {
-    const plan: Plan = client.planFile(backup, 1);
+    const plan = client.planFile(backup, 1);
     const [problem] = plan.problems;
     if (problem) throw new Error(problem[1]);
     if (plan.changes.length > 0) {
-      const written = (await during(gimbal, client.write())) as Written;
+      const written = await gimbal.during(client.write());
       if (!written.ok) throw new Error(written.text);
     }
-    return (await during(gimbal, client.diagnose())).map(({ sentence }) => sentence);
+    return (await gimbal.during(client.diagnose())).map(({ sentence }) => sentence);
   };
   return { before: await findings(present), after: await findings(wanted) };
 }

@@ -67,6 +67,13 @@ export class Wasm {
   }
 }
 
+/** Values as lines NAME=VALUE, which the modules read. */
+export const settingLines = (values: object): string =>
+  Object.entries(values)
+    .filter(([, value]) => value !== undefined)
+    .map(([name, value]) => `${name}=${String(value).replaceAll("\n", " ")}\n`)
+    .join("");
+
 export const hexOf = (bytes: Uint8Array): string =>
   Array.from(bytes, (byte) => byte.toString(16).padStart(2, "0")).join("");
 

@@ -1,9 +1,11 @@
 // The worker of the playground: the emulated gimbal, its client, and the clock.
 
+import { answer, sentenceOf } from "./answers.js";
 import { EmulatedGimbal } from "./line.js";
-import { Reports, sentenceOf } from "./reports.js";
+import type { EmulatorOptions } from "./modules.js";
+import { Reports } from "./reports.js";
 import { bytesOf, Wasm } from "./wasm.js";
-import type { LoggedFrame, Report, Request } from "./worker_messages.js";
+import type { Report, Request } from "./worker_messages.js";
 
 const tickMs = 8;
 /** The longest piece of work between two messages of the page. */
@@ -23,65 +25,55 @@ class Playground {
   }
 
   take(request: Request): void {
+    const work = this.#begin(request);
+    if ("id" in request) answer(say, request.id, work);
+    else work.catch((error: unknown) => say({ kind: "failed", message: sentenceOf(error) }));
+  }
+
+  async #begin(request: Request): Promise<object | void> {
     const gimbal = this.#gimbal;
     switch (request.kind) {
       case "start":
-        gimbal?.client.close("the board has been replaced");
-        this.#gimbal = new EmulatedGimbal(
-          this.wasm,
-          request.options,
-          {
-            identified: (text) => say({ kind: "identity", text }),
-            failed: (message) => say({ kind: "failed", message }),
-            noticed: (text) => say({ kind: "notice", text }),
-          },
-          (from, bytes, now) => this.#reports.observe(from, bytes, now / 1e6),
-        );
-        this.#reports.reset();
-        this.#mark();
-        return;
+        return this.#start(request.options);
       case "change":
-        gimbal?.board.change(request.options, gimbal.now);
-        return;
+        return gimbal?.board.change(request.options, gimbal.now);
       case "pace":
         this.#tick();
         this.#pace = request.factor;
-        this.#mark();
-        return;
+        return this.#mark();
       case "act":
-        if (gimbal) this.#answer(request.id, gimbal.client.act(request.action, gimbal.now));
-        return;
-      case "send":
-        if (gimbal) this.#answer(request.id, this.#send(gimbal, request.frame));
-        return;
-      case "decode": {
-        const seconds = (gimbal?.now ?? 0) / 1e6;
-        this.#answer(request.id, this.#reports.decoded("host", bytesOf(request.frame), seconds));
-        return;
+        return gimbal?.client.act(request.action, gimbal.now);
+      case "send": {
+        const reply = await gimbal?.client.send(bytesOf(request.frame));
+        return reply && this.#reports.decoded("board", reply.frame, this.#seconds);
       }
+      case "decode":
+        return this.#reports.decoded("host", bytesOf(request.frame), this.#seconds);
       case "doctor":
-        if (gimbal) {
-          const findings = gimbal.client.diagnose();
-          this.#answer(request.id, findings.then((found) => ({ findings: found })));
-        }
-        return;
+        return { findings: await gimbal?.client.diagnose() };
       case "log":
-        void this.#reports.setLog(request.on);
+        return this.#reports.setLog(request.on);
     }
   }
 
-  async #send(gimbal: EmulatedGimbal, hex: string): Promise<{ frames: LoggedFrame[] }> {
-    const reply = await gimbal.client.send(bytesOf(hex));
-    return this.#reports.decoded("board", reply.frame, gimbal.now / 1e6);
+  get #seconds(): number {
+    return (this.#gimbal?.now ?? 0) / 1e6;
   }
 
-  /** Answers a request of the page when its work has ended. */
-  #answer(id: number, work: Promise<object | void>): void {
-    work.then(
-      (result) => say({ kind: "done", id, ...result }),
-      (error: unknown) =>
-        say({ kind: "done", id, error: sentenceOf(error) }),
+  #start(options: EmulatorOptions): void {
+    this.#gimbal?.client.close("the board has been replaced");
+    this.#gimbal = new EmulatedGimbal(
+      this.wasm,
+      options,
+      {
+        identified: (text) => say({ kind: "identity", text }),
+        failed: (message) => say({ kind: "failed", message }),
+        noticed: (text) => say({ kind: "notice", text }),
+      },
+      (from, bytes, now) => this.#reports.observe(from, bytes, now / 1e6),
     );
+    this.#reports.reset();
+    this.#mark();
   }
 
   #mark(): void {
@@ -106,15 +98,10 @@ const playground = Wasm.load(new URL("./gimbal.wasm", import.meta.url)).then(
 
 // At once: what a worker does not listen to when it arrives is lost.
 addEventListener("message", ({ data }: MessageEvent<Request>) => {
-  playground
-    .then((ready) => ready.take(data))
-    .catch((error: unknown) => {
-      const message = sentenceOf(error);
-      say("id" in data ? { kind: "done", id: data.id, error: message } : { kind: "failed", message });
-    });
+  playground.then((ready) => ready.take(data), () => {});
 });
 
 playground.then(
   () => say({ kind: "ready" }),
-  (error: unknown) => say({ kind: "failed", message: String(error) }),
+  (error: unknown) => say({ kind: "failed", message: sentenceOf(error) }),
 );

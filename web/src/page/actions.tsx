@@ -3,6 +3,7 @@
 import { Fragment, type ComponentChildren } from "preact";
 import { useState } from "preact/hooks";
 
+import { Button } from "./inputs.js";
 import type { Action, Language, Lines } from "./lines.js";
 import { useDesk } from "./session.js";
 
@@ -16,7 +17,7 @@ export function CodeLine({ lines, about }: { lines: Lines; about: string }) {
   const { language } = useDesk();
   const [copied, setCopied] = useState("");
   const text = lines[language];
-  if (!text) return <p class="no-line">{missing[language]}</p>;
+  if (!text) return <p class="muted small says">{missing[language]}</p>;
   const copy = async (): Promise<void> => {
     try {
       await navigator.clipboard.writeText(text);
@@ -28,7 +29,7 @@ export function CodeLine({ lines, about }: { lines: Lines; about: string }) {
   };
   return (
     <div class="line">
-      <pre>
+      <pre class="wrap">
         <code>
           {text.split(/ (?=--)/).map((word, n) => (
             <Fragment key={n}>
@@ -38,7 +39,7 @@ export function CodeLine({ lines, about }: { lines: Lines; about: string }) {
           ))}
         </code>
       </pre>
-      <button type="button" class="copy-line" aria-label={`Copy: ${about}`} onClick={copy}>
+      <button type="button" class="copy" aria-label={`Copy: ${about}`} onClick={copy}>
         {copied || "Copy"}
       </button>
     </div>
@@ -56,15 +57,14 @@ export function ActionRow({ action, label, isMain, children }: ActionProps) {
   const { isReady, run } = useDesk();
   return (
     <div class="action">
-      <div class="do">
-        <button
-          type="button"
-          class={isMain ? "plain" : "plain quiet"}
+      <div class="flow do">
+        <Button
+          look={isMain ? "plain" : "plain quiet"}
           disabled={!isReady}
           onClick={() => run(action, label)}
         >
           {label}
-        </button>
+        </Button>
         {children}
       </div>
       <CodeLine lines={action.lines} about={label} />

@@ -8,15 +8,15 @@ import { DoctorPanel } from "./doctor.js";
 import { optionsOf } from "./emulation.js";
 import { FaultPanel } from "./faults.js";
 import { Horizons } from "./horizon.js";
-import { Choice } from "./inputs.js";
+import { Choice, SmallButton } from "./inputs.js";
 import { languages, stop, type Action, type Language } from "./lines.js";
 import { Log } from "./log.js";
 import { Numbers, Pace, Status } from "./status.js";
 import { Offline } from "./offline.js";
-import { type Desk, DeskContext, type Playground, useOutcome } from "./session.js";
+import { type Desk, DeskContext, type Session, useOutcome } from "./session.js";
 import { GimbalView } from "./scene.js";
 import { Trial } from "./trial.js";
-import { emulationOf, linkOf, readLink, usualValues, type Values } from "./values.js";
+import { linkOf, readLink, usualValues, type Values } from "./values.js";
 
 /** How long the page waits for more changes of motion and faults, in ms. */
 const changePause = 200;
@@ -26,7 +26,7 @@ const isTyping = (target: EventTarget | null): boolean =>
 /** The skip link of the site has an address of its own. */
 const linkInAddress = (): string => (location.hash === "#main" ? "" : location.hash);
 
-export function App({ session }: { session: Playground }) {
+export function App({ session }: { session: Session }) {
   const [{ first, refusal }] = useState(() => {
     const read = readLink(linkInAddress());
     return typeof read === "string"
@@ -45,7 +45,7 @@ export function App({ session }: { session: Playground }) {
 
   useEffect(() => {
     const end = session.listen((report) => {
-      if (report.kind === "ready") session.start(optionsOf(emulationOf(first)));
+      if (report.kind === "ready") session.post({ kind: "start", options: optionsOf(first) });
       if (report.kind === "identity") setIdentity(report.text);
       if (report.kind === "failed") setFailure(report.message);
       if (report.kind === "notice") setNotice(report.text);
@@ -53,13 +53,13 @@ export function App({ session }: { session: Playground }) {
     return end;
   }, [session]);
 
-  const emulation = JSON.stringify(optionsOf(emulationOf(values)));
+  const emulation = JSON.stringify(optionsOf(values));
   const applied = useRef(emulation);
   useEffect(() => {
     if (emulation === applied.current) return;
     const timer = setTimeout(() => {
       applied.current = emulation;
-      session.change(JSON.parse(emulation));
+      session.post({ kind: "change", options: JSON.parse(emulation) });
     }, changePause);
     return () => clearTimeout(timer);
   }, [session, emulation]);
@@ -90,11 +90,11 @@ export function App({ session }: { session: Playground }) {
     setIdentity("");
     clear();
     setNotice("");
-    session.start(optionsOf(emulationOf(values)));
-    session.pace(pace);
+    session.post({ kind: "start", options: optionsOf(values) });
+    session.post({ kind: "pace", factor: pace });
   };
   const choosePace = (factor: number): void => {
-    session.pace(factor);
+    session.post({ kind: "pace", factor });
     setPace(factor);
   };
   const desk: Desk = {
@@ -118,9 +118,7 @@ export function App({ session }: { session: Playground }) {
       )}
       <Status title={identity || "The board starts…"} onStop={() => void run(stop, "Stop")}>
         <Pace pace={pace} onPace={choosePace} />
-        <button type="button" class="plain quiet small" onClick={restart}>
-          New board
-        </button>
+        <SmallButton onClick={restart}>New board</SmallButton>
       </Status>
       {values.send && (
         <Trial key={values.send} hex={values.send} onClose={() => set({ send: "" })} />
@@ -130,7 +128,7 @@ export function App({ session }: { session: Playground }) {
           <GimbalView />
           <Horizons />
           <Numbers />
-          <p class={outcome.isBad ? "outcome bad" : "outcome"} role="status">
+          <p class={outcome.isBad ? "outcome small bad" : "outcome small muted"} role="status">
             {outcome.text || notice}
           </p>
         </div>
@@ -170,10 +168,8 @@ function Share({ values }: { values: Values }) {
     }
   };
   return (
-    <p class="share">
-      <button type="button" class="plain quiet small" onClick={() => void copy()}>
-        Link to these values
-      </button>{" "}
+    <p class="small share">
+      <SmallButton onClick={copy}>Link to these values</SmallButton>{" "}
       <span role="status">{said}</span>
     </p>
   );

@@ -12,17 +12,19 @@ import { onThemeChange } from "./theme.js";
 
 const perSecond = 20;
 const kinds = [
-  { key: "angles", title: "Angles of the camera, targets dashed", unit: "°", hasTargets: true },
-  { key: "speeds", title: "Speeds of the camera: how it vibrates", unit: "°/s" },
-  { key: "power", title: "Powers of the motors", unit: " %", hasZero: true },
+  { key: "angles", title: "Angles of the camera, targets dashed", unit: "°", hasTargets: true, columns: [0, 6] },
+  { key: "speeds", title: "Speeds of the camera: how it vibrates", unit: "°/s", columns: [6, 9] },
+  { key: "power", title: "Powers of the motors", unit: " %", hasZero: true, columns: [9] },
 ] as const;
 
-/** Plots in the elements of `place` with data-chart, made again in new colors; and what went wrong. */
+type Kind = PlotOptions & { key: string; title: string };
+
+/** Figures with plots, which are made again in new colors. `place` gets their element. */
 export function usePlots(
-  place: RefObject<HTMLElement | null>,
-  kinds: readonly PlotOptions[],
+  place: RefObject<HTMLDivElement | null>,
+  kinds: readonly Kind[],
   draw: (plots: Plot[]) => void,
-): string {
+) {
   const [problem, setProblem] = useState("");
   const newest = useRef(draw);
   newest.current = draw;
@@ -54,7 +56,19 @@ export function usePlots(
       for (const plot of plots) plot.end();
     };
   }, [place]);
-  return problem;
+  return (
+    <>
+      {problem && <p class="bad">{problem}</p>}
+      <div class="charts" ref={place}>
+        {kinds.map(({ key, title }) => (
+          <figure key={key}>
+            <figcaption class="muted small">{title}</figcaption>
+            <div data-chart={title} role="img" aria-label={title} />
+          </figure>
+        ))}
+      </div>
+    </>
+  );
 }
 
 export function Charts() {
@@ -62,7 +76,7 @@ export function Charts() {
   const place = useRef<HTMLDivElement>(null);
   const plots = useRef<Plot[]>([]);
   const draw = useRef(() => {});
-  const problem = usePlots(place, kinds, (made) => {
+  const figures = usePlots(place, kinds, (made) => {
     plots.current = made;
     draw.current();
   });
@@ -79,9 +93,10 @@ export function Charts() {
     });
     draw.current = () => {
       if (!isInSight || !plots.current.length || !history.times.length) return;
-      const { times, camera, targets, speeds, power } = history;
-      const columns = [[...camera, ...targets], speeds, power];
-      for (const [n, plot] of plots.current.entries()) plot.draw([times, ...(columns[n] ?? [])]);
+      const { times, columns } = history;
+      for (const [n, plot] of plots.current.entries()) {
+        plot.draw([times, ...columns.slice(...(kinds[n]?.columns ?? []))]);
+      }
       if (session.view) label(session.view);
     };
     const endViews = session.listen((report) => {
@@ -101,9 +116,9 @@ export function Charts() {
   }, [session]);
   return (
     <section aria-labelledby="charts-title">
-      <div class="head">
+      <div class="flow apart head">
         <h2 id="charts-title">Charts</h2>
-        <p class="legend">
+        <p class="flow small legend">
           {axisNames.map((axis) => (
             <span key={axis}>
               <i class={`swatch ${axis}`} /> {axis}
@@ -111,15 +126,7 @@ export function Charts() {
           ))}
         </p>
       </div>
-      {problem && <p class="bad">{problem}</p>}
-      <div class="charts" ref={place}>
-        {kinds.map(({ key, title }) => (
-          <figure key={key}>
-            <figcaption>{title}</figcaption>
-            <div data-chart={title} role="img" aria-label={title} />
-          </figure>
-        ))}
-      </div>
+      {figures}
     </section>
   );
 }

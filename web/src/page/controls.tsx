@@ -5,6 +5,7 @@ import { useRef } from "preact/hooks";
 import type { Axes } from "../worker_messages.js";
 import { ActionRow, CodeLine } from "./actions.js";
 import { angleWords, axisNames, type AxisName } from "./axes.js";
+import { motions } from "./emulation.js";
 import { Choice, Select, SliderRow } from "./inputs.js";
 import {
   chooseProfile,
@@ -17,7 +18,7 @@ import {
   turn,
 } from "./lines.js";
 import { useDesk, useView } from "./session.js";
-import { emulationOf, numbers, type NumberName, type Values } from "./values.js";
+import { numbers, type NumberName, type Values } from "./values.js";
 
 export interface PanelProps {
   values: Values;
@@ -32,12 +33,14 @@ const pause = 150;
 const moveOf = ({ roll, pitch, yaw, speed }: Values) => moveTo([roll, pitch, yaw], speed);
 const speedsOf = (v: Values): Axes => [v["turn-roll"], v["turn-pitch"], v["turn-yaw"]];
 
-interface SlidersProps extends PanelProps {
+interface SlidersProps {
   rows: readonly (readonly [NumberName, string, string])[];
+  values: Partial<Values>;
+  set: (change: Partial<Values>) => void;
 }
 
 /** A row for each value, with its title and unit. */
-const Sliders = ({ rows, values, set }: SlidersProps) => (
+export const Sliders = ({ rows, values, set }: SlidersProps) => (
   <>
     {rows.map(([name, label, unit]) => (
       <SliderRow
@@ -45,7 +48,7 @@ const Sliders = ({ rows, values, set }: SlidersProps) => (
         label={label}
         unit={unit}
         limits={numbers[name]}
-        value={values[name]}
+        value={values[name] ?? numbers[name].usual}
         {...(unit === "°" ? { describe: (one) => angleWords(name as AxisName, one) } : {})}
         onChange={(value) => set({ [name]: value })}
       />
@@ -54,7 +57,7 @@ const Sliders = ({ rows, values, set }: SlidersProps) => (
 );
 
 const axisTitles = ["Roll", "Pitch", "Yaw"] as const;
-const angleRows = axisNames.map((axis, n) => [axis, axisTitles[n] ?? "", "°"] as const);
+export const angleRows = axisNames.map((axis, n) => [axis, axisTitles[n] ?? "", "°"] as const);
 const turnRows = axisNames.map((axis, n) => [`turn-${axis}`, axisTitles[n] ?? "", "°/s"] as const);
 
 export function BoardPanel({ values, set }: PanelProps) {
@@ -116,13 +119,6 @@ export const TurnPanel = ({ values, set }: PanelProps) => (
   </section>
 );
 
-const motions = [
-  ["rest", "At rest"],
-  ["handheld", "Hand-held"],
-  ["drone", "Drone"],
-  ["vehicle", "Vehicle"],
-] as const;
-
 export const MotionPanel = ({ values, set }: PanelProps) => (
   <section aria-labelledby="motion-title">
     <h2 id="motion-title">Motion of the frame</h2>
@@ -134,6 +130,6 @@ export const MotionPanel = ({ values, set }: PanelProps) => (
       onChange={(motion) => set({ motion })}
     />
     <Sliders rows={[["strength", "Strength", "×"]]} values={values} set={set} />
-    <CodeLine lines={emulateLines(emulationOf(values))} about="the same board on your computer" />
+    <CodeLine lines={emulateLines(values)} about="the same board on your computer" />
   </section>
 );

@@ -4,35 +4,26 @@ import { useState } from "preact/hooks";
 
 import type { Finding } from "../modules.js";
 import { CodeLine } from "./actions.js";
+import { Button } from "./inputs.js";
 import { doctorLines } from "./lines.js";
-import { useDesk } from "./session.js";
+import { useDesk, useTask } from "./session.js";
 
 export function DoctorPanel() {
   const { session, isReady } = useDesk();
-  const [isBusy, setBusy] = useState(false);
   const [findings, setFindings] = useState<Finding[] | null>(null);
-  const [problem, setProblem] = useState("");
+  const { isBusy, problem, run } = useTask();
   const examine = async (): Promise<void> => {
-    setBusy(true);
-    setProblem("");
-    const done = await session.ask({ kind: "doctor" });
-    setBusy(false);
-    setProblem(done.error ?? "");
-    setFindings(done.error ? null : (done.findings ?? []));
+    const done = await run(() => session.ask({ kind: "doctor" }));
+    setFindings(done?.findings ?? null);
   };
   return (
     <section aria-labelledby="doctor-title" class="doctor">
       <h2 id="doctor-title">Doctor</h2>
       <div class="action">
-        <div class="do">
-          <button
-            type="button"
-            class="plain"
-            disabled={!isReady || isBusy}
-            onClick={() => void examine()}
-          >
+        <div class="flow do">
+          <Button disabled={!isReady || isBusy} onClick={examine}>
             {isBusy ? "Measuring…" : "Examine"}
-          </button>
+          </Button>
         </div>
         <CodeLine lines={doctorLines} about="Examine" />
       </div>

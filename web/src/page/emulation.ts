@@ -4,7 +4,12 @@
 import type { EmulatorOptions } from "../modules.js";
 import { axisNames } from "./axes.js";
 
-export const motions = ["rest", "handheld", "drone", "vehicle"] as const;
+export const motions = [
+  ["rest", "At rest"],
+  ["handheld", "Hand-held"],
+  ["drone", "Drone"],
+  ["vehicle", "Vehicle"],
+] as const;
 
 /** A part of the value of a fault. */
 export interface Part {
@@ -95,7 +100,7 @@ export function isPart(part: Part, text: string): boolean {
 
 export interface Emulation extends Record<LineFault, number> {
   seed: number;
-  motion: (typeof motions)[number];
+  motion: (typeof motions)[number][0];
   strength: number;
   faults: ChosenFaults;
 }
@@ -106,7 +111,8 @@ export const faultTexts = (chosen: ChosenFaults): string[] =>
     return parts ? [faultText(fault, parts)] : [];
   });
 
-export function optionsOf(emulation: Emulation): EmulatorOptions {
-  const { faults: chosen, ...rest } = emulation;
-  return { ...rest, faults: faultTexts(chosen) };
+export function optionsOf(values: Emulation): EmulatorOptions {
+  const { seed, motion, strength, bitErrors, lostBytes, duplicatedBytes, delayedBytes } = values;
+  const line = { bitErrors, lostBytes, duplicatedBytes, delayedBytes };
+  return { seed, motion, strength, ...line, faults: faultTexts(values.faults) };
 }

@@ -5,7 +5,7 @@ import type { ComponentChildren } from "preact";
 import { axisNames } from "./axes.js";
 import type { PanelProps } from "./controls.js";
 import { faults, lineFaults, type Part } from "./emulation.js";
-import { NumberInput, Select } from "./inputs.js";
+import { Check, NumberInput, Select } from "./inputs.js";
 
 const usualShare = 0.001;
 
@@ -19,7 +19,7 @@ export function FaultPanel({ values, set }: PanelProps) {
       <h2 id="faults-title">Faults</h2>
       <div class="fault-columns">
         <fieldset class="faults">
-          <legend>Of the gimbal</legend>
+          <legend class="muted small">Of the gimbal</legend>
           {faults.map(({ name, label, parts: known }) => {
             const parts = values.faults[name];
             const usual = known.map((part) => part.usual);
@@ -46,7 +46,7 @@ export function FaultPanel({ values, set }: PanelProps) {
           })}
         </fieldset>
         <fieldset class="faults">
-          <legend>Of the line</legend>
+          <legend class="muted small">Of the line</legend>
           {lineFaults.map(({ key, label }) => (
             <Switch
               key={key}
@@ -60,7 +60,7 @@ export function FaultPanel({ values, set }: PanelProps) {
                 value={Number((values[key] * 100).toPrecision(6))}
                 onChange={(percent) => set({ [key]: percent / 100 })}
               />
-              <span class="unit">%</span>
+              <span class="muted small">%</span>
             </Switch>
           ))}
         </fieldset>
@@ -78,12 +78,9 @@ interface SwitchProps {
 }
 
 const Switch = ({ label, isOn, onChange, children }: SwitchProps) => (
-  <div class="fault">
-    <label>
-      <input type="checkbox" checked={isOn} onChange={onChange} />
-      <span>{label}</span>
-    </label>
-    {isOn && <span class="parts">{children}</span>}
+  <div class="flow fault">
+    <Check label={label} checked={isOn} onChange={onChange} />
+    {isOn && <span class="flow">{children}</span>}
   </div>
 );
 
@@ -101,7 +98,7 @@ function PartInput({ label, part: { limits }, value, onChange }: PartProps) {
   return (
     <>
       <NumberInput {...shared} limits={limits} value={Number(value)} onChange={change} />
-      <span class="unit">{limits.unit}</span>
+      <span class="muted small">{limits.unit}</span>
     </>
   );
 }

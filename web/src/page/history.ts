@@ -1,38 +1,28 @@
 // The last half minute of views, as columns for the charts.
 
 import type { View } from "../worker_messages.js";
-import { axisNumbers } from "./axes.js";
 
 export const seconds = 30;
 const most = 2000;
 
 export class History {
   readonly times: number[] = [];
-  /** Three columns each. */
-  readonly camera: number[][] = [[], [], []];
-  readonly targets: number[][] = [[], [], []];
-  readonly speeds: number[][] = [[], [], []];
-  readonly power: number[][] = [[], [], []];
+  /** Of the camera, its targets, its speeds, and the powers of the motors in percent: three columns each. */
+  readonly columns: number[][] = Array.from({ length: 12 }, () => []);
 
-  add(view: View): void {
+  add({ seconds: time, camera, targets, speeds, power }: View): void {
     const last = this.times.at(-1);
-    if (last !== undefined && view.seconds < last) this.#drop(this.times.length); // a new board
-    if (view.seconds === last) return;
-    this.times.push(view.seconds);
-    for (const n of axisNumbers) {
-      this.camera[n]?.push(view.camera[n]);
-      this.targets[n]?.push(view.targets[n]);
-      this.speeds[n]?.push(view.speeds[n]);
-      this.power[n]?.push(view.power[n] * 100);
-    }
-    const old = this.times.findIndex((time) => time >= view.seconds - seconds);
+    if (last !== undefined && time < last) this.#drop(this.times.length); // a new board
+    if (time === last) return;
+    this.times.push(time);
+    const values = [...camera, ...targets, ...speeds, ...power.map((one) => one * 100)];
+    for (const [n, value] of values.entries()) this.columns[n]?.push(value);
+    const old = this.times.findIndex((one) => one >= time - seconds);
     this.#drop(Math.max(old, this.times.length - most));
   }
 
   #drop(count: number): void {
     if (count <= 0) return;
-    for (const group of [[this.times], this.camera, this.targets, this.speeds, this.power]) {
-      for (const column of group) column.splice(0, count);
-    }
+    for (const column of [this.times, ...this.columns]) column.splice(0, count);
   }
 }

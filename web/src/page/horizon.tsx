@@ -110,7 +110,7 @@ function Horizon({ title, of }: { title: string; of: "camera" | "frame" }) {
   return (
     <figure>
       <canvas ref={canvas} role="img" aria-label={title} />
-      <figcaption>{title}</figcaption>
+      <figcaption class="muted small">{title}</figcaption>
     </figure>
   );
 }

@@ -64,7 +64,7 @@ export function SliderRow({ label, unit, limits, value, describe, onChange }: Sl
         onInput={(event) => onChange(event.currentTarget.valueAsNumber)}
       />
       <NumberInput id={id} limits={limits} value={value} onChange={onChange} />
-      <span class="unit">{unit}</span>
+      <span class="muted small">{unit}</span>
     </div>
   );
 }
@@ -134,7 +134,7 @@ interface CheckProps {
 }
 
 export const Check = ({ label, title, checked, onChange }: CheckProps) => (
-  <label title={title}>
+  <label class="check" title={title}>
     <input
       type="checkbox"
       checked={checked}
@@ -156,7 +156,7 @@ interface ChoiceProps<T extends string> {
 export function Choice<T extends string>(props: ChoiceProps<T>) {
   const name = useId();
   return (
-    <fieldset class={`choice ${props.class}`}>
+    <fieldset class={`flow choice ${props.class}`}>
       <legend>{props.legend}</legend>
       {props.options.map(([key, title]) => (
         <label key={key}>

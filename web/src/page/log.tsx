@@ -4,6 +4,7 @@ import { useEffect, useRef, useState } from "preact/hooks";
 
 import type { LoggedFrame } from "../worker_messages.js";
 import { fixed } from "./axes.js";
+import { Check, SmallButton } from "./inputs.js";
 import { useDesk } from "./session.js";
 
 const most = 200;
@@ -38,9 +39,7 @@ export function FrameEntry({ frame, isOpen }: { frame: LoggedFrame; isOpen?: boo
         <span class="time">{fixed(frame.seconds, 3)}</span>
         <span class="from">{frame.from === "host" ? "to board" : "from board"}</span>
         <b>{nameOf(frame)}</b>
-        <span class="brief">
-          {frame.problem || briefOf(frame)}
-        </span>
+        <span class="brief">{frame.problem || briefOf(frame)}</span>
       </summary>
       {hasBody && <FrameBody frame={frame} />}
     </details>
@@ -95,11 +94,11 @@ export function Log() {
       if (isNew) redraw(count.current);
       isNew = false;
     }, interval);
-    session.log(true);
+    session.post({ kind: "log", on: true });
     return () => {
       end();
       clearInterval(timer);
-      session.log(false);
+      session.post({ kind: "log", on: false });
     };
   }, [session, isOn, isPaused]);
 
@@ -109,32 +108,30 @@ export function Log() {
     setWithout(without.includes(kind) ? without.filter((k) => k !== kind) : [...without, kind]);
   return (
     <section aria-labelledby="log-title" class="log">
-      <div class="head">
+      <div class="flow apart head">
         <h2 id="log-title">Frames on the line</h2>
-        <div class="do">
-          <button type="button" class="plain quiet small" onClick={() => setOn(!isOn)}>
+        <div class="flow do">
+          <SmallButton onClick={() => setOn(!isOn)}>
             {isOn ? "End the log" : "Show the log"}
-          </button>
+          </SmallButton>
           {isOn && (
-            <button type="button" class="plain quiet small" onClick={() => setPaused(!isPaused)}>
+            <SmallButton onClick={() => setPaused(!isPaused)}>
               {isPaused ? "Continue" : "Pause"}
-            </button>
+            </SmallButton>
           )}
         </div>
       </div>
       {isOn && (
         <>
-          <fieldset class="kinds">
+          <fieldset class="flow small kinds">
             <legend class="hidden">Shown messages</legend>
             {kinds.map((kind) => (
-              <label key={kind}>
-                <input
-                  type="checkbox"
-                  checked={!without.includes(kind)}
-                  onChange={() => toggle(kind)}
-                />
-                <span>{kind}</span>
-              </label>
+              <Check
+                key={kind}
+                label={kind}
+                checked={!without.includes(kind)}
+                onChange={() => toggle(kind)}
+              />
             ))}
           </fieldset>
           <p class="muted small">

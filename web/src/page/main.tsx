@@ -3,10 +3,10 @@
 import { render } from "preact";
 
 import { App } from "./app.js";
-import { Playground } from "./session.js";
+import { Session } from "./session.js";
 
 const place = document.getElementById("application");
 if (place) {
   const worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
-  render(<App session={new Playground(worker)} />, place);
+  render(<App session={new Session(worker)} />, place);
 }

@@ -2,6 +2,8 @@
 
 import { useEffect, useState } from "preact/hooks";
 
+import { SmallButton } from "./inputs.js";
+
 export function Offline() {
   const [newer, setNewer] = useState<ServiceWorker | null>(null);
   useEffect(() => {
@@ -33,9 +35,7 @@ export function Offline() {
     <div class="note" role="status">
       <p>
         A newer version of this page is there.{" "}
-        <button type="button" class="plain quiet small" onClick={take}>
-          Use it
-        </button>
+        <SmallButton onClick={take}>Use it</SmallButton>
       </p>
     </div>
   );

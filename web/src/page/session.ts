@@ -3,7 +3,7 @@
 import { createContext } from "preact";
 import { useContext, useEffect, useRef, useState } from "preact/hooks";
 
-import type { EmulatorOptions } from "../modules.js";
+import { sentenceOf } from "../answers.js";
 import type * as setup from "../setup_messages.js";
 import type * as playground from "../worker_messages.js";
 import type { View } from "../worker_messages.js";
@@ -14,6 +14,7 @@ export type Report = playground.Report | setup.Report;
 type Request = playground.Request | setup.Request;
 export type Done = Extract<Report, { kind: "done" }>;
 export type Progress = Extract<Report, { kind: "progress" }>;
+export type OnProgress = (progress: Progress) => void;
 /** A request that the worker answers, without its number. */
 export type Question<R = Extract<Request, playground.Request>> = R extends { id: number }
   ? Omit<R, "id">
@@ -21,7 +22,8 @@ export type Question<R = Extract<Request, playground.Request>> = R extends { id:
 
 interface Pending {
   resolve(done: Done): void;
-  progress?: ((progress: Progress) => void) | undefined;
+  reject(error: Error): void;
+  progress?: OnProgress | undefined;
 }
 
 /** What both pages ask a gimbal, emulated or real. */
@@ -41,17 +43,11 @@ export class Session {
     );
   }
 
-  log(on: boolean): void {
-    this.post({ kind: "log", on });
-  }
-
-  ask(
-    question: Question | Question<setup.Request>,
-    progress?: (progress: Progress) => void,
-  ): Promise<Done> {
+  /** Rejects with what the worker says is wrong. */
+  ask(question: Question | Question<setup.Request>, progress?: OnProgress): Promise<Done> {
     const id = ++this.#last;
-    return new Promise((resolve) => {
-      this.#pending.set(id, { resolve, progress });
+    return new Promise((resolve, reject) => {
+      this.#pending.set(id, { resolve, reject, progress });
       this.post({ ...question, id } as Request);
     });
   }
@@ -94,33 +90,21 @@ export class Session {
     };
   }
 
-  protected post(request: Request): void {
+  /** Says what needs no answer. */
+  post(request: Request): void {
     this.#worker.postMessage(request);
   }
 
   #take(report: Report): void {
     if (report.kind === "view") this.view = report.view;
     if (report.kind === "done") {
-      this.#pending.get(report.id)?.resolve(report);
+      const pending = this.#pending.get(report.id);
+      if (report.error === undefined) pending?.resolve(report);
+      else pending?.reject(new Error(report.error));
       this.#pending.delete(report.id);
     }
     if (report.kind === "progress") this.#pending.get(report.id)?.progress?.(report);
     for (const listener of this.#listeners) listener(report);
-  }
-}
-
-/** With an emulated board, whose owner is the page. */
-export class Playground extends Session {
-  start(options: EmulatorOptions): void {
-    this.post({ kind: "start", options });
-  }
-
-  change(options: EmulatorOptions): void {
-    this.post({ kind: "change", options });
-  }
-
-  pace(factor: number): void {
-    this.post({ kind: "pace", factor });
   }
 }
 
@@ -164,13 +148,43 @@ export function useOutcome() {
   const [outcome, setOutcome] = useState({ text: "", isBad: false });
   const latest = useRef(0);
   /** Only the newest action says how it ended: it has taken the camera from those before. */
-  const follow = async (label: string, work: Promise<Done>): Promise<void> => {
+  const follow = async (label: string, work: Promise<unknown>): Promise<void> => {
     const number = ++latest.current;
     setOutcome({ text: `${label} …`, isBad: false });
-    const done = await work;
+    const error = await work.then(() => "", sentenceOf);
     if (number !== latest.current) return;
-    setOutcome({ text: `${label}: ${done.error ?? "done"}`, isBad: Boolean(done.error) });
+    setOutcome({ text: `${label}: ${error || "done"}`, isBad: error !== "" });
   };
   const clear = (): void => setOutcome({ text: "", isBad: false });
   return { outcome, follow, clear };
+}
+
+export interface Task {
+  isBusy: boolean;
+  problem: string;
+  progress: Progress | null;
+  /** Returns what the work returns, or null if it has failed: the task has the problem then. */
+  run: <T>(work: (progress: OnProgress) => Promise<T>) => Promise<T | null>;
+}
+
+/** A piece of work at a time, with its progress and its problem. */
+export function useTask(): Task {
+  const [isBusy, setBusy] = useState(false);
+  const [problem, setProblem] = useState("");
+  const [progress, setProgress] = useState<Progress | null>(null);
+  const run = async <T,>(work: (progress: OnProgress) => Promise<T>): Promise<T | null> => {
+    setBusy(true);
+    setProblem("");
+    setProgress(null);
+    try {
+      return await work(setProgress);
+    } catch (error) {
+      setProblem(sentenceOf(error));
+      return null;
+    } finally {
+      setBusy(false);
+      setProgress(null);
+    }
+  };
+  return { isBusy, problem, progress, run };
 }

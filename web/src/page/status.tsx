@@ -3,7 +3,7 @@
 
 import type { ComponentChildren } from "preact";
 
-import { angleWords, axisNames, axisNumbers, fixed } from "./axes.js";
+import { type AxisName, angleWords, axisNames, axisNumbers, fixed } from "./axes.js";
 import { useView } from "./session.js";
 
 const perSecond = 4;
@@ -18,9 +18,9 @@ interface Props {
 export function Status({ title, onStop, children }: Props) {
   const view = useView(perSecond);
   return (
-    <div class="status">
-      <p class="board">
-        <span class="identity">{title}</span>
+    <div class="flow status">
+      <p class="flow board">
+        <b>{title}</b>
         {view && (
           <>
             <span class={view.motorsOn ? "good" : "warn"}>
@@ -52,7 +52,7 @@ export const StopButton = ({ onStop }: { onStop: () => void }) => (
 
 /** How quickly the time of an emulated board passes. */
 export const Pace = ({ pace, onPace }: { pace: number; onPace: (pace: number) => void }) => (
-  <label class="pace">
+  <label class="check pace">
     Time
     <select value={pace} onChange={(event) => onPace(Number(event.currentTarget.value))}>
       {paces.map((one) => (
@@ -65,6 +65,15 @@ export const Pace = ({ pace, onPace }: { pace: number; onPace: (pace: number) =>
 );
 
 const numbersPerSecond = 8;
+const angle = (value: number, axis: AxisName): string => angleWords(axis, value);
+const columns = [
+  ["Camera", "camera", angle],
+  ["Target", "targets", angle],
+  ["Frame", "frame", angle],
+  ["Joint", "joints", (value: number) => `${fixed(value)}°`],
+  ["Speed", "speeds", (value: number) => `${fixed(value)}°/s`],
+  ["Power", "power", (value: number) => `${fixed(value * 100, 0)} %`],
+] as const;
 
 export function Numbers() {
   const view = useView(numbersPerSecond);
@@ -74,12 +83,11 @@ export function Numbers() {
       <thead>
         <tr>
           <td></td>
-          <th scope="col">Camera</th>
-          <th scope="col">Target</th>
-          <th scope="col">Frame</th>
-          <th scope="col">Joint</th>
-          <th scope="col">Speed</th>
-          <th scope="col">Power</th>
+          {columns.map(([title]) => (
+            <th key={title} scope="col">
+              {title}
+            </th>
+          ))}
         </tr>
       </thead>
       <tbody>
@@ -90,12 +98,9 @@ export function Numbers() {
               <th scope="row">
                 <i class={`swatch ${axis}`} /> {axis}
               </th>
-              <td>{view ? angleWords(axis, view.camera[n]) : "–"}</td>
-              <td>{view ? angleWords(axis, view.targets[n]) : "–"}</td>
-              <td>{view ? angleWords(axis, view.frame[n]) : "–"}</td>
-              <td>{view ? `${fixed(view.joints[n])}°` : "–"}</td>
-              <td>{view ? `${fixed(view.speeds[n])}°/s` : "–"}</td>
-              <td>{view ? `${fixed(view.power[n] * 100, 0)} %` : "–"}</td>
+              {columns.map(([title, of, text]) => (
+                <td key={title}>{view ? text(view[of][n], axis) : "–"}</td>
+              ))}
             </tr>
           );
         })}

@@ -3,51 +3,47 @@
 import { useEffect, useState } from "preact/hooks";
 
 import type { LoggedFrame } from "../worker_messages.js";
+import { Button, SmallButton } from "./inputs.js";
 import { FrameEntry } from "./log.js";
-import { useDesk, type Done } from "./session.js";
+import { useDesk, useTask, type Done } from "./session.js";
 
 export function Trial({ hex, onClose }: { hex: string; onClose: () => void }) {
   const { session, isReady } = useDesk();
   const [request, setRequest] = useState<LoggedFrame | null>(null);
-  const [problem, setProblem] = useState("");
   const [answer, setAnswer] = useState<Done | null>(null);
-  const [isBusy, setBusy] = useState(false);
+  const decoding = useTask();
+  const sending = useTask();
+  const isSent = sending.isBusy || sending.problem !== "" || answer !== null;
   useEffect(() => {
     if (!isReady) return;
-    void session.ask({ kind: "decode", frame: hex }).then((done) => {
-      const [first] = done.frames ?? [];
+    void decoding.run(async () => {
+      const { frames } = await session.ask({ kind: "decode", frame: hex });
+      const [first] = frames ?? [];
       setRequest(first ?? null);
-      setProblem(done.error ?? first?.problem ?? (first ? "" : "These bytes are no frame."));
+      if (!first || first.problem) throw new Error(first?.problem ?? "These bytes are no frame.");
     });
   }, [session, hex, isReady]);
-  const send = async (): Promise<void> => {
-    setBusy(true);
-    setAnswer(await session.ask({ kind: "send", frame: hex }));
-    setBusy(false);
-  };
-  const isSendable = isReady && !isBusy && request !== null && !problem;
+  const send = (): Promise<void> =>
+    sending.run(() => session.ask({ kind: "send", frame: hex })).then(setAnswer);
+  const isSendable = isReady && !sending.isBusy && request !== null && !decoding.problem;
   return (
     <section aria-labelledby="trial-title" class="trial">
-      <div class="head">
+      <div class="flow apart head">
         <h2 id="trial-title">A request from a link</h2>
-        <button type="button" class="plain quiet small" onClick={onClose}>
-          Close
-        </button>
+        <SmallButton onClick={onClose}>Close</SmallButton>
       </div>
-      {!answer && <p>Nothing has been sent yet. The board here is emulated.</p>}
-      {problem && (
+      {!isSent && <p>Nothing has been sent yet. The board here is emulated.</p>}
+      {decoding.problem && (
         <p class="bad" role="alert">
-          {problem}
+          {decoding.problem}
         </p>
       )}
       {request && <FrameEntry frame={request} isOpen />}
-      <button type="button" class="plain" disabled={!isSendable} onClick={() => void send()}>
-        {isBusy ? "Waiting…" : "Send"}
-      </button>
+      <Button disabled={!isSendable} onClick={send}>{sending.isBusy ? "Waiting…" : "Send"}</Button>
       <div role="status">
         {answer && <h3>The answer</h3>}
-        {answer?.error && <p class="bad">{answer.error}</p>}
-        {answer && !answer.error && !answer.frames?.length && (
+        {sending.problem && <p class="bad">{sending.problem}</p>}
+        {answer && !answer.frames?.length && (
           <p class="muted">The board has accepted it; it does not answer this request.</p>
         )}
         {answer?.frames?.map((frame, n) => <FrameEntry key={n} frame={frame} isOpen />)}

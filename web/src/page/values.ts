@@ -1,13 +1,6 @@
 // All values of the page, with their limits; a link holds those that are not the usual ones.
 
-import {
-  faultTexts,
-  motions,
-  readFault,
-  type ChosenFaults,
-  type Emulation,
-  type LineFault,
-} from "./emulation.js";
+import { faultTexts, motions, readFault, type ChosenFaults, type Emulation } from "./emulation.js";
 
 export interface Limits {
   least: number;
@@ -23,6 +16,8 @@ const limits = (usual: number, least: number, most: number, step = 1): Limits =>
   step,
 });
 
+const share = limits(0, 0, 1, 0.0001);
+
 /** Angles in degrees, speeds in degrees a second, shares from 0 to 1. */
 export const numbers = {
   roll: limits(0, -45, 45),
@@ -36,10 +31,10 @@ export const numbers = {
   profile: limits(2, 1, 5),
   seed: limits(1, 0, 0xffffffff),
   strength: limits(1, 0, 10, 0.1),
-  bitErrors: limits(0, 0, 1, 0.0001),
-  lostBytes: limits(0, 0, 1, 0.0001),
-  duplicatedBytes: limits(0, 0, 1, 0.0001),
-  delayedBytes: limits(0, 0, 1, 0.0001),
+  bitErrors: share,
+  lostBytes: share,
+  duplicatedBytes: share,
+  delayedBytes: share,
 } satisfies Record<string, Limits>;
 export type NumberName = keyof typeof numbers;
 
@@ -57,15 +52,6 @@ export function usualValues(): Values {
   const usual = numberNames.map((name) => [name, numbers[name].usual]);
   return { ...Object.fromEntries(usual), motion: "rest", faults: {}, send: "" } as Values;
 }
-
-export const emulationOf = (values: Values): Emulation => {
-  const { seed, motion, strength, faults } = values;
-  const shares = {} as Record<LineFault, number>;
-  for (const key of ["bitErrors", "lostBytes", "duplicatedBytes", "delayedBytes"] as const) {
-    shares[key] = values[key];
-  }
-  return { seed, motion, strength, faults, ...shares };
-};
 
 /** The values of a link, or why it is refused. Nothing of a bad link is used. */
 export function readLink(hash: string): Values | string {
@@ -94,9 +80,9 @@ function readValue(values: Values, key: string, text: string): string {
     return "";
   }
   if (key === "motion") {
-    const motion = motions.find((one) => one === text);
-    if (!motion) return `the motions are ${motions.join(", ")}`;
-    values.motion = motion;
+    const motion = motions.find(([one]) => one === text);
+    if (!motion) return `the motions are ${motions.map(([one]) => one).join(", ")}`;
+    [values.motion] = motion;
     return "";
   }
   if (key === "faults") {

@@ -9,7 +9,7 @@ import { Button, Choice, SmallButton } from "../inputs.js";
 import { Log } from "../log.js";
 import { Numbers, Status } from "../status.js";
 import { Offline } from "../offline.js";
-import { type Desk, DeskContext, useOutcome } from "../session.js";
+import { type Desk, DeskContext, useOutcome, useTask } from "../session.js";
 import { GimbalView } from "../scene.js";
 import { CarePanel } from "./care.js";
 import { ConnectPanel } from "./connect.js";
@@ -17,7 +17,7 @@ import { download, useEvents } from "./parts.js";
 import { Hold } from "./hold.js";
 import { MovePanel } from "./move.js";
 import { ParametersPanel } from "./parameters.js";
-import { BenchContext, useBench, useTask, type Bench, type Setup } from "./setup_session.js";
+import { BenchContext, useBench, type Bench, type Setup } from "./setup_session.js";
 
 declare const VERSION: string;
 const reloadedFor = "sbgc-setup-reloaded";
@@ -50,13 +50,13 @@ export function App({ session, token }: { session: Setup; token: string }) {
   const [notice, setNotice] = useState("");
   const [shown, setShown] = useState<(typeof views)[number][0]>("move");
   const { outcome, follow, clear } = useOutcome();
-  const [hold] = useState(() => new Hold((speeds) => session.hold(speeds)));
+  const [hold] = useState(() => new Hold((speeds) => session.post({ kind: "hold", speeds })));
   const isConnected = link.state === "connected" && board !== null;
 
   const arm = (on: boolean): void => {
     if (on && (!isReady || !isConnected)) return;
     if (!on) hold.releaseAll();
-    session.arm(on);
+    session.post({ kind: "arm", on });
     setArmed(on);
   };
   const stop = (): void => {
@@ -137,10 +137,10 @@ export function App({ session, token }: { session: Setup; token: string }) {
           )}
           {board && <Recorder />}
           {board && (
-            <SmallButton onClick={() => session.ask({ kind: "disconnect" })}>Disconnect</SmallButton>
+            <SmallButton onClick={() => session.end("disconnect")}>Disconnect</SmallButton>
           )}
         </Status>
-        <p class={isBad ? "outcome bad" : "outcome"} role="status">
+        <p class={isBad ? "outcome small bad" : "outcome small muted"} role="status">
           {isConnected ? outcome.text || notice : link.text}
         </p>
         {!board && <ConnectPanel token={token} isReady={isReady} onConnected={connected} />}
@@ -181,7 +181,7 @@ function Facts({ board: { serialNumber, line, lacks } }: { board: Connected }) {
     serialNumber && `serial number ${serialNumber}`,
   ];
   return (
-    <div class="row says">
+    <div class="flow row muted small says">
       <span>{facts.filter(Boolean).join(", ")}</span>
       {lacks.length > 0 && (
         <details>
@@ -203,7 +203,7 @@ function Recorder() {
   const { run, problem } = useTask();
   const toggle = (): Promise<unknown> =>
     run(async () => {
-      const bytes = await session.get("record", { on: !isOn });
+      const bytes = await session.do("record", [!isOn]);
       if (isOn && bytes) download(bytes, "capture");
       setOn(!isOn);
     });

@@ -7,10 +7,10 @@ import { type AxisName, axisNames, axisNumbers } from "../axes.js";
 import { usePlots } from "../charts.js";
 import { DoctorPanel } from "../doctor.js";
 import { Button, Check, Choice, Select, SliderRow, TextInput } from "../inputs.js";
-import { useView } from "../session.js";
+import { useTask, useView } from "../session.js";
 import type { Limits } from "../values.js";
 import { ArmSwitch, Dialog, download, TaskState } from "./parts.js";
-import { useBench, useTask } from "./setup_session.js";
+import { useBench } from "./setup_session.js";
 
 export const CarePanel = () => (
   <>
@@ -30,7 +30,7 @@ function Calibrations() {
   const [all, setAll] = useState<Calibration[]>([]);
   const task = useTask();
   useEffect(() => {
-    void task.run(() => session.get("calibrations", {})).then((found) => setAll(found ?? []));
+    void task.run(() => session.do("calibrations", [])).then((found) => setAll(found ?? []));
   }, [session]);
   return (
     <section aria-labelledby="calibrations-title">
@@ -50,18 +50,17 @@ function CalibrationCard({ calibration }: { calibration: Calibration }) {
   const [asks, setAsks] = useState(false);
   const task = useTask();
   const { name, summary, preparation, effects, moves, values: fields } = calibration;
-  const asked = { calibration: name, values };
   const isComplete = fields.every(({ path }) => values[path]?.trim());
   const isPossible = isConnected && !task.isBusy && isComplete;
   const check = (): Promise<unknown> =>
     task.run(async (progress) => {
-      const { problem } = await session.get("check", asked, progress);
+      const { problem } = await session.do("check", [name], progress);
       setSaid({ text: problem ? `Not ready: ${problem}` : "The gimbal is ready.", isGood: !problem });
     });
   const calibrate = (): Promise<unknown> =>
     task.run(async (progress) => {
       setSaid({ text: "", isGood: true });
-      await session.get("calibrate", asked, progress);
+      await session.do("calibrate", [name, values], progress);
       setSaid({ text: "The calibration is done.", isGood: true });
     });
   return (
@@ -100,13 +99,13 @@ function CalibrationCard({ calibration }: { calibration: Calibration }) {
         </li>
       </ol>
       {moves && <ArmSwitch>The motors turn the camera during this calibration.</ArmSwitch>}
-      <div class="row">
+      <div class="flow row">
         <Button look="plain quiet" disabled={!isPossible} onClick={check}>Check</Button>
         <Button disabled={!isPossible || (moves && !isArmed)} onClick={() => setAsks(true)}>
           Calibrate
         </Button>
       </div>
-      <TaskState task={task} onCancel={() => void session.ask({ kind: "cancel" })} />
+      <TaskState task={task} onCancel={() => session.end("cancel")} />
       <p class={said.isGood ? "good" : "bad"} role="status">
         {said.text}
       </p>
@@ -143,7 +142,7 @@ function TunePanel() {
     task.run(async (progress) => {
       setDone(false);
       setUndo(true); // also of what a tuning that fails has stored
-      await session.get("tune", { axes, gain, profile }, progress);
+      await session.do("tune", [axes, gain, profile], progress);
       setDone(true);
     });
   return (
@@ -153,7 +152,7 @@ function TunePanel() {
         The board shakes the camera about {names || "no axis"} for some minutes and stores new gains
         in profile {profile}. Balance the camera, fasten the frame and keep your hands off.
       </ArmSwitch>
-      <div class="row">
+      <div class="flow row">
         {axisNumbers.map((n) => (
           <Check
             key={n}
@@ -173,9 +172,9 @@ function TunePanel() {
         </label>
       </div>
       <SliderRow label="Gain" unit="%" limits={gainLimits} value={gain} onChange={setGain} />
-      <p class="says">A low gain is stable, a high one holds the camera more firmly.</p>
+      <p class="muted small says">A low gain is stable, a high one holds the camera more firmly.</p>
       <Button disabled={!isArmed || task.isBusy || !names} onClick={tune}>Tune</Button>
-      <TaskState task={task} onCancel={() => void session.ask({ kind: "cancel" })} />
+      <TaskState task={task} onCancel={() => session.end("cancel")} />
       {isDone && (
         <p class="good" role="status">
           The board has stored new gains. Read the parameters to see them; “Undo the last write” is
@@ -205,17 +204,17 @@ function BodePanel() {
   const [response, setResponse] = useState<Response | null>(null);
   const [noise, setNoise] = useState({ gain: limits.gain.usual, from: limits.from.usual, to: limits.to.usual });
   const task = useTask();
+  const { gain, from, to } = noise;
   const record = (): Promise<void> =>
     task
-      .run((progress) => session.get("bode", { axis: axisNames.indexOf(axis), ...noise }, progress))
+      .run((progress) => session.do("bode", [axisNames.indexOf(axis), gain, from, to], progress))
       .then(setResponse);
   return (
     <section aria-labelledby="bode-title">
       <h2 id="bode-title">Frequency response</h2>
       <ArmSwitch>
-        The {axis} axis shakes for some seconds, from {noise.from} to {noise.to} Hz with a gain of{" "}
-        {noise.gain}, and no command ends that. Begin with a gain of 1000. Fasten the frame and keep
-        your hands off.
+        The {axis} axis shakes for some seconds, from {from} to {to} Hz with a gain of {gain}, and
+        no command ends that. Begin with a gain of 1000. Fasten the frame and keep your hands off.
       </ArmSwitch>
       <Choice class="axes" legend="Axis" options={axes} value={axis} onChange={setAxis} />
       {(["gain", "from", "to"] as const).map((name) => (
@@ -228,7 +227,7 @@ function BodePanel() {
           onChange={(value) => setNoise({ ...noise, [name]: value })}
         />
       ))}
-      <div class="row">
+      <div class="flow row">
         <Button disabled={!isArmed || task.isBusy} onClick={record}>Record the response</Button>
         {response && (
           <Button look="plain quiet" onClick={() => download(response.csv, "csv")}>
@@ -244,18 +243,8 @@ function BodePanel() {
 
 function Curves({ response }: { response: Response }) {
   const place = useRef<HTMLDivElement>(null);
-  const problem = usePlots(place, curves, (plots) =>
+  const figures = usePlots(place, curves, (plots) =>
     curves.forEach(({ key }, n) => plots[n]?.draw([response.frequency, response[key]])),
   );
-  return (
-    <div class="charts stacked" ref={place}>
-      {problem && <p class="bad">{problem}</p>}
-      {curves.map(({ key, title }) => (
-        <figure key={key}>
-          <figcaption>{title}</figcaption>
-          <div data-chart={title} role="img" aria-label={title} />
-        </figure>
-      ))}
-    </div>
-  );
+  return <div class="stacked">{figures}</div>;
 }

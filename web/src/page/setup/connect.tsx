@@ -4,8 +4,9 @@ import { useEffect, useState } from "preact/hooks";
 
 import type { Connected, LineSettings, Place } from "../../setup_messages.js";
 import { Button, Choice, Select, SmallButton, TextInput } from "../inputs.js";
+import { useTask } from "../session.js";
 import { TaskState, useEvents } from "./parts.js";
-import { useBench, useTask } from "./setup_session.js";
+import { useBench } from "./setup_session.js";
 
 const ways = [
   ["serial", "USB or serial"],
@@ -28,7 +29,7 @@ export function ConnectPanel({ token, isReady, onConnected }: Props) {
   const [way, setWay] = useState<Place["kind"]>(ports && !token ? "serial" : "bridge");
   const task = useTask();
   const connect: Connect = async (place, line, port) => {
-    const board = await task.run((progress) => session.get("connect", { place, line }, progress));
+    const board = await task.run((progress) => session.do("connect", [place, line], progress));
     if (!board) return;
     if (port) noteBoard(port, board.serialNumber);
     onConnected(board);
@@ -44,8 +45,8 @@ export function ConnectPanel({ token, isReady, onConnected }: Props) {
       ) : (
         <BridgeWay token={token} isPossible={isPossible} connect={connect} />
       )}
-      <p class="says">The page finds the settings of the line, and asks the board what it is.</p>
-      <TaskState task={task} onCancel={() => void session.ask({ kind: "disconnect" })} />
+      <p class="muted small says">The page finds the settings of the line, and asks the board what it is.</p>
+      <TaskState task={task} onCancel={() => session.end("disconnect")} />
     </section>
   );
 }
@@ -77,7 +78,7 @@ function SerialWay({ isPossible, connect }: WayProps) {
   };
   return (
     <>
-      <div class="row">
+      <div class="flow row">
         <TextInput
           label="Baud rate"
           type="number"
@@ -98,7 +99,7 @@ function SerialWay({ isPossible, connect }: WayProps) {
       <Button disabled={!isPossible || !ports} onClick={choose}>Connect by USB or serial</Button>
       <ul class="ports" aria-label="Ports that this page may use">
         {known.map((port, index) => (
-          <li key={index} class="row">
+          <li key={index} class="flow row">
             <span>{nameOf(port, index)}</span>
             <SmallButton
               label={`Connect to port ${index + 1}`}
@@ -123,14 +124,14 @@ function BridgeWay({ token: given, isPossible, connect }: WayProps & { token: st
   };
   return (
     <form onSubmit={submit}>
-      <div class="row">
+      <div class="flow row">
         <TextInput label="Address" type="url" value={url} onChange={setUrl} />
         <TextInput label="Token" type="password" value={token} onChange={setToken} />
       </div>
       <button type="submit" class="plain" disabled={!isPossible}>
         Connect to the bridge
       </button>
-      <p class="says">
+      <p class="muted small says">
         <code>sbgc bridge --ws PORT</code> prints both. The token stays in this page.
       </p>
     </form>

@@ -5,17 +5,14 @@ import { useEffect, useState } from "preact/hooks";
 import type { Axes, View } from "../../worker_messages.js";
 import { ActionRow } from "../actions.js";
 import { angleWords, axisNames, axisNumbers, fixed, sides } from "../axes.js";
-import { SliderRow } from "../inputs.js";
+import { angleRows, Sliders } from "../controls.js";
 import { motorsOff, motorsOn, moveTo, release } from "../lines.js";
 import { DeskContext, useDesk, useView } from "../session.js";
-import { numbers, type Limits } from "../values.js";
 import { ArmSwitch, useEvents } from "./parts.js";
 import { period, type Hold } from "./hold.js";
 import { useBench } from "./setup_session.js";
 
 const perSecond = 4;
-const speedLimits: Limits = { ...numbers.speed, usual: 20 };
-const titles = ["Roll", "Pitch", "Yaw"] as const;
 
 /** What `sbgc move` says before it asks. */
 function moveSentence(angles: Axes, speed: number, view: View | null): string {
@@ -36,11 +33,11 @@ export function MovePanel({ hold }: { hold: Hold }) {
   const desk = useDesk();
   const { isArmed } = useBench();
   const view = useView(perSecond);
-  const [angles, setAngles] = useState<Axes>([0, 0, 0]);
-  const [speed, setSpeed] = useState(speedLimits.usual);
+  const [goal, setGoal] = useState({ roll: 0, pitch: 0, yaw: 0, speed: 20 });
+  const { roll, pitch, yaw, speed } = goal;
+  const angles: Axes = [roll, pitch, yaw];
   const areOn = view?.motorsOn ?? false;
-  const set = (n: number, value: number): void =>
-    setAngles(angles.map((one, axis) => (axis === n ? value : one)) as Axes);
+  const set = (change: Partial<typeof goal>): void => setGoal((now) => ({ ...now, ...change }));
   hold.limit = speed;
   return (
     <DeskContext.Provider value={{ ...desk, isReady: isArmed }}>
@@ -51,33 +48,17 @@ export function MovePanel({ hold }: { hold: Hold }) {
           hands and lens clear. It is locked again when the line is lost, you disconnect, or this
           page is hidden. <kbd>Esc</kbd> stops the camera at any time.
         </ArmSwitch>
-        <SliderRow
-          label="Speed"
-          unit="°/s"
-          limits={speedLimits}
-          value={speed}
-          onChange={setSpeed}
-        />
+        <Sliders rows={[["speed", "Speed", "°/s"]]} values={goal} set={set} />
         <ActionRow action={motorsOn} label="Motors on" isMain={!areOn} />
-        <p class="says">The motors turn on, and the camera jumps to its target angle.</p>
+        <p class="muted small says">The motors turn on, and the camera jumps to its target angle.</p>
         <ActionRow action={motorsOff} label="Motors off" />
-        <p class="says">The motors lose power, and the camera drops to its heavy side.</p>
+        <p class="muted small says">The motors lose power, and the camera drops to its heavy side.</p>
       </section>
       <section aria-labelledby="move-title">
         <h2 id="move-title">Move</h2>
-        {axisNumbers.map((n) => (
-          <SliderRow
-            key={n}
-            label={titles[n]}
-            unit="°"
-            limits={numbers[axisNames[n]]}
-            value={angles[n]}
-            describe={(value) => angleWords(axisNames[n], value)}
-            onChange={(value) => set(n, value)}
-          />
-        ))}
+        <Sliders rows={angleRows} values={goal} set={set} />
         <ActionRow action={moveTo(angles, speed)} label="Move" isMain={areOn} />
-        <p class="says">{moveSentence(angles, speed, view)}</p>
+        <p class="muted small says">{moveSentence(angles, speed, view)}</p>
         <ActionRow action={moveTo([0, 0, 0], speed)} label="Center" />
         <ActionRow action={release} label="Release" />
       </section>
@@ -165,7 +146,7 @@ function TurnPanel({ hold }: { hold: Hold }) {
           Arrow keys
         </button>
       </div>
-      <p class="says">
+      <p class="muted small says">
         The camera turns as long as a button, an arrow key in this pad, or a gamepad is held, and
         brakes within half a second when the page is gone.{" "}
         {pad

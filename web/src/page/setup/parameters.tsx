@@ -4,9 +4,10 @@ import { useId, useRef, useState } from "preact/hooks";
 
 import type { Parameter, Plan, Read, Topic, Written } from "../../setup_messages.js";
 import { Button, Check, Select, SmallButton } from "../inputs.js";
+import { useTask } from "../session.js";
 import { download, TaskState } from "./parts.js";
 import { Review } from "./review.js";
-import { useBench, useTask } from "./setup_session.js";
+import { useBench } from "./setup_session.js";
 
 /** Changed values by the name of the parameter, for each profile; 0: the same in all of them. */
 type Edits = Record<number, Record<string, string>>;
@@ -33,12 +34,12 @@ export function ParametersPanel() {
   const task = useTask();
 
   const show = async (one: number): Promise<void> => {
-    setTopics(await session.get("profile", { profile: one }));
+    setTopics(await session.do("profile", [one]));
     setProfile(one);
   };
   const readAll = (): Promise<unknown> =>
     task.run(async (progress) => {
-      const now = await session.get("parameters", {}, progress);
+      const now = await session.do("read", [], progress);
       setRead(now);
       await show(Math.min(profile > 1 ? profile : now.active, now.profiles));
     });
@@ -66,11 +67,11 @@ export function ParametersPanel() {
       if (file.size > longestFile) throw new Error(`${file.name} is too long for a backup`);
       const content = await file.text();
       const text = file.name.endsWith(".profile") ? elementsOf(content) : content;
-      return session.get("plan-file", { text, profile });
+      return session.do("planFile", [text, profile]);
     });
   };
   const backup = (): Promise<unknown> =>
-    task.run(async (progress) => download(await session.get("backup", {}, progress), "json"));
+    task.run(async (progress) => download(await session.do("backup", [], progress), "json"));
   const end = async (now: Written): Promise<void> => {
     setWritten(now);
     setPlan(null);
@@ -101,13 +102,13 @@ export function ParametersPanel() {
         take(event.dataTransfer?.files[0]);
       }}
     >
-      <div class="head">
+      <div class="flow apart head">
         <h2 id="parameters-title">Parameters</h2>
         {!read && (
           <Button disabled={!isPossible} onClick={readAll}>Read the parameters</Button>
         )}
         {read && (
-          <div class="row">
+          <div class="flow row">
             <SmallButton disabled={!isPossible} onClick={readAll}>Read again</SmallButton>
             <SmallButton disabled={!isPossible} onClick={backup}>Save a backup</SmallButton>
             <SmallButton disabled={!isPossible} onClick={() => chooser.current?.click()}>
@@ -125,7 +126,7 @@ export function ParametersPanel() {
             />
             <SmallButton
               disabled={!isPossible || !canUndo}
-              onClick={() => review(() => session.get("plan-undo", {}))}
+              onClick={() => review(() => session.do("planUndo", []))}
             >
               Undo the last write
             </SmallButton>
@@ -140,7 +141,7 @@ export function ParametersPanel() {
       )}
       {read && (
         <>
-          <div class="row">
+          <div class="flow row">
             <label>
               Profile{" "}
               <Select
@@ -175,13 +176,13 @@ export function ParametersPanel() {
               onEdit={edit}
             />
           ))}
-          <div class="row changes">
+          <div class="flow row changes">
             <span role="status">{counts || "Nothing is changed"}</span>
             <SmallButton disabled={!counts} onClick={discard}>Discard</SmallButton>
             <Button
               look="plain small"
               disabled={!isPossible || Object.keys(values).length === 0}
-              onClick={() => review(() => session.get("plan", { profile, values }), true)}
+              onClick={() => review(() => session.do("plan", [values, profile]), true)}
             >
               Review
             </Button>
@@ -257,7 +258,7 @@ function ParameterRow({ parameter, edit, problem, onEdit }: Props) {
         <label for={id}>{path}</label> {summary}
         {general && <span class="muted"> The same in all profiles.</span>}
       </div>
-      <div class="row">
+      <div class="flow row">
         <Field
           id={id}
           parameter={parameter}
@@ -276,7 +277,7 @@ function ParameterRow({ parameter, edit, problem, onEdit }: Props) {
           </p>
         )}
       </div>
-      <div class="row muted">
+      <div class="flow row muted">
         <span>{rangeOf(parameter)}</span>
         {usual && <span>default {usual}</span>}
       </div>
@@ -344,7 +345,7 @@ function Field({ id, parameter, value, isWrong, onChange }: FieldProps) {
         value={value}
         onInput={(event) => onChange(event.currentTarget.value)}
       />
-      {unit && <span class="unit">{unit}</span>}
+      {unit && <span class="muted small">{unit}</span>}
     </>
   );
 }

@@ -5,14 +5,15 @@ import type { ComponentChildren } from "preact";
 import { useEffect, useRef } from "preact/hooks";
 
 import { Button, SmallButton } from "../inputs.js";
+import type { Task } from "../session.js";
 import { StopButton } from "../status.js";
-import { type Task, useBench } from "./setup_session.js";
+import { useBench } from "./setup_session.js";
 
 /** Beside what would move. */
 export function ArmSwitch({ children }: { children: ComponentChildren }) {
   const { isConnected, isArmed, arm } = useBench();
   return (
-    <div class={isArmed ? "arming armed" : "arming"}>
+    <div class={isArmed ? "flow arming armed" : "flow arming"}>
       <button
         type="button"
         role="switch"
@@ -31,12 +32,11 @@ export function ArmSwitch({ children }: { children: ComponentChildren }) {
 /** Where a task stands; without `onCancel`, nothing can end it. */
 export function TaskState({ task, onCancel }: { task: Task; onCancel?: () => void }) {
   const { isBusy, progress, problem } = task;
-  const share = progress?.share;
   return (
     <div role="status" aria-busy={isBusy}>
       {isBusy && (
-        <p class="row">
-          <progress aria-label="Progress" {...(typeof share === "number" ? { value: share } : {})} />
+        <p class="flow row">
+          <progress aria-label="Progress" value={progress?.share} />
           <span>{progress?.text ?? "Waiting…"}</span>
           {onCancel && <SmallButton onClick={onCancel}>Cancel</SmallButton>}
         </p>
@@ -69,7 +69,7 @@ export function Dialog({ title, action, onAgree, onClose, children }: DialogProp
     <dialog ref={dialog} aria-labelledby="dialog-title" onClose={onClose}>
       <h2 id="dialog-title">{title}</h2>
       {children}
-      <div class="row">
+      <div class="flow row">
         <Button look="plain quiet" onClick={close}>Leave it</Button>
         <Button onClick={agree}>{action}</Button>
         <StopButton onStop={stop} />

@@ -4,8 +4,9 @@ import { useEffect, useRef, useState } from "preact/hooks";
 
 import type { Change, Plan, Trial, Written } from "../../setup_messages.js";
 import { Button, SmallButton } from "../inputs.js";
+import { useTask } from "../session.js";
 import { Dialog, TaskState } from "./parts.js";
-import { useBench, useTask } from "./setup_session.js";
+import { useBench } from "./setup_session.js";
 
 interface Props {
   plan: Plan;
@@ -25,15 +26,15 @@ export function Review({ plan, onWritten, onClose }: Props) {
   const lines = changes.filter(({ line }) => line).map(({ name }) => name);
   const isWritable = changes.length > 0 && problems.length === 0 && !task.isBusy;
   const attempt = (): Promise<void> =>
-    task.run((progress) => session.get("try", {}, progress)).then(setTrial);
+    task.run((progress) => session.do("tryOut", [], progress)).then(setTrial);
   const write = (): Promise<unknown> =>
     task.run(async (progress) => {
       setUndo(true); // also of a part
-      onWritten(await session.get("write", {}, progress));
+      onWritten(await session.do("write", [], progress));
     });
   return (
     <section ref={place} class="trial review" aria-labelledby="review-title">
-      <div class="head">
+      <div class="flow apart head">
         <h3 id="review-title">What would be written</h3>
         <SmallButton onClick={onClose}>Close</SmallButton>
       </div>
@@ -53,7 +54,7 @@ export function Review({ plan, onWritten, onClose }: Props) {
           may have to connect again.
         </p>
       )}
-      <div class="row">
+      <div class="flow row">
         <Button look="plain quiet" disabled={!isWritable} onClick={attempt}>
           Try on the emulated board
         </Button>

@@ -9,26 +9,9 @@
   const typed = sbgcBuilderCode(name, facts);
   const root = document.body.dataset.root;
   const typingPause = 120; // ms
-
-  /** element("td", {class: "raw"}, "text", child, ...) */
-  function element(tag, attributes = {}, ...children) {
-    const result = document.createElement(tag);
-    for (const [key, value] of Object.entries(attributes)) {
-      if (value !== null && value !== false) result.setAttribute(key, value === true ? "" : value);
-    }
-    result.append(...children);
-    return result;
-  }
+  const { element, loadScript, addCopyButton } = sbgcPage;
 
   // The module, which is loaded when a reader opens the form.
-
-  const loadScript = (file) =>
-    new Promise((resolve, reject) => {
-      const script = element("script", { src: `${root}assets/${file}` });
-      script.onload = resolve;
-      script.onerror = () => reject(new Error(`${file} is missing`));
-      document.head.append(script);
-    });
 
   async function load() {
     await loadScript("messages-module.js");
@@ -121,7 +104,7 @@
 
   /** A group of controls that is one value. If it may be missing, a check box says whether it is there. */
   function valueGroup(field, controls, read) {
-    const box = element("fieldset", { class: "value", id: idOf(field.path) });
+    const box = element("fieldset", { class: "flow value", id: idOf(field.path) });
     const legend = element("legend", {}, element("code", {}, field.name));
     const present = element("input", { type: "checkbox" });
     present.checked = field.value !== "";
@@ -142,7 +125,7 @@
       const label = `${part.name}${part.unit ? ` (${part.unit})` : ""}`;
       if (part.kind === "flags") {
         const { labels, read } = boxesOf(part.names, part.value);
-        const one = element("fieldset", { class: "value" }, element("legend", {}, label), ...labels);
+        const one = element("fieldset", { class: "flow value" }, element("legend", {}, label), ...labels);
         return { control: one, read: () => (read() === "0" ? `${part.name}:0` : read().replaceAll("|", ",")) };
       }
       const input = part.kind === "enum" ? selectOf(part.names, part.value, false) : element("input", { type: "text", autocomplete: "off" });
@@ -207,7 +190,7 @@
   function codeBlock(about, text, word) {
     const code = element("code", { class: word }, text);
     const block = element("div", { class: "code", "data-copy": about }, element("pre", { class: "wrap", tabindex: "0" }, code));
-    globalThis.sbgcAddCopyButton(block);
+    addCopyButton(block);
     return block;
   }
 
@@ -217,20 +200,13 @@
     const hex = frame.match(/../g).join(" ").toUpperCase();
     const shared = lines.filter(([, , secret]) => !secret);
     const values = shared.map(([path, text]) => `&${encodeURIComponent(path)}=${encodeURIComponent(text)}`);
-    result.append(
-      codeBlock("the frame", hex, "built-frame"),
-      element(
-        "p",
-        {},
-        element("a", { class: "button quiet small", href: `${root}decoder.html#hex=${frame}&from=host` }, "Open in the decoder"),
-        " ",
-        element("a", { class: "button quiet small built-link", href: `#build${values.join("")}` }, "Link to these values"),
-        // A link holds no secret.
-        ...(shared.length === lines.length
-          ? [" ", element("a", { class: "button quiet small built-trial", href: `${root}playground.html#send=${frame}` }, "Try it in the playground")]
-          : []),
-      ),
-    );
+    const links = element("p", { class: "flow" });
+    const add = (word, href, text) => links.append(element("a", { class: `button quiet small ${word}`, href }, text));
+    add("built-bytes", `${root}decoder.html#hex=${frame}&from=host`, "Open in the decoder");
+    add("built-link", `#build${values.join("")}`, "Link to these values");
+    // A link holds no secret.
+    if (shared.length === lines.length) add("built-trial", `${root}playground.html#send=${frame}`, "Try it in the playground");
+    result.append(codeBlock("the frame", hex, "built-frame"), links);
     for (const { word, title, code } of languages) {
       result.append(element("h3", {}, title), codeBlock(`the lines of ${title}`, code(lines), `built-${word}`));
     }
@@ -268,7 +244,7 @@
     try {
       built = await build(frame, lines);
     } catch (error) {
-      status.textContent = `This copy of the site has no frame builder: ${error.message}.`;
+      status.textContent = `This copy of the site has no frame builder: ${error.message} is missing.`;
       return;
     }
     if (number !== latest) return;

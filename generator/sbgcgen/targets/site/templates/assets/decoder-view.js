@@ -2,18 +2,9 @@
 "use strict";
 
 const decoderView = (() => {
+  const { element } = sbgcPage;
   const root = document.body.dataset.root;
   const messagePages = JSON.parse(document.getElementById("message-pages").textContent);
-
-  /** element("td", {class: "raw"}, "text", child, ...) */
-  function element(name, attributes = {}, ...children) {
-    const result = document.createElement(name);
-    for (const [key, value] of Object.entries(attributes)) {
-      if (value !== null && value !== false) result.setAttribute(key, value === true ? "" : value);
-    }
-    result.append(...children);
-    return result;
-  }
 
   /** The place of a field in the reference, or null. */
   function referenceOf(message, path) {
@@ -56,7 +47,7 @@ const decoderView = (() => {
     const what = element("span", { class: "what" }, element("b", {}, name));
     if (item.message !== null) what.append(" ", element("span", { class: "muted" }, item.message));
     const way = item.direction === "from_board" ? "from-board" : "to-board";
-    const tags = element("span", { class: "tags" });
+    const tags = element("span", { class: "flow tags" });
     if (item.error !== null) tags.append(element("span", { class: "tag bad" }, "not decodable"));
     if (item.objections !== 0) {
       tags.append(element("span", { class: "tag warn" }, counted(item.objections, "objection")));
@@ -91,7 +82,7 @@ const decoderView = (() => {
     const { size, body, checksum, rows, frame } = answer;
     const parts = [{ at: 0, size: body, part: null, tint: "framing", name: "header" }];
     for (const [i, [path, , , , at, length]] of rows.entries()) {
-      if (length !== 0) parts.push({ at, size: length, part: i, tint: `tint-${i % 8}`, name: path });
+      if (length !== 0) parts.push({ at, size: length, part: i, tint: `t${i % 8}`, name: path });
     }
     if (frame.error && frame.error.offset < checksum - body) {
       const at = body + frame.error.offset;
@@ -102,7 +93,7 @@ const decoderView = (() => {
   }
 
   function rowsTable(answer) {
-    // On narrow screens the table becomes a list; the roles keep it a table for screen readers.
+    // On narrow screens its rows become blocks; the roles keep it a table for screen readers.
     const head = element("tr", { role: "row" });
     for (const title of ["Byte", "Field", "Raw", "Meaning"]) {
       head.append(element("th", { scope: "col", role: "columnheader", class: title.toLowerCase() }, title));
@@ -110,7 +101,7 @@ const decoderView = (() => {
     const body = element("tbody", { role: "rowgroup" });
     for (const [i, [path, raw, meaning, objection, at, size]] of answer.rows.entries()) {
       const place = size > 1 ? `${at}–${at + size - 1}` : size === 1 ? String(at) : "";
-      const swatch = element("span", { class: `swatch tint-${i % 8}`, "aria-hidden": "true" });
+      const swatch = element("span", { class: `swatch t${i % 8}`, "aria-hidden": "true" });
       const reference = referenceOf(answer.frame.message, path);
       const name = breakable(path);
       const named = reference === null ? name : [element("a", { href: reference }, ...name)];
@@ -123,7 +114,7 @@ const decoderView = (() => {
       const value = element("td", { role: "cell", class: "raw" }, raw);
       body.append(element("tr", { role: "row", "data-part": i }, number, field, value, cell));
     }
-    const table = element("table", { role: "table" });
+    const table = element("table", { class: "stacks", role: "table" });
     table.append(element("thead", { role: "rowgroup" }, head), body);
     const region = { class: "table free", tabindex: "0", role: "region", "aria-label": "Fields" };
     return element("div", region, table);
@@ -185,22 +176,9 @@ const decoderView = (() => {
     return result;
   }
 
-  /** Highlights bytes and rows of the same part together. */
-  function connect(inside) {
-    const mark = (event, on) => {
-      const part = event.target.closest?.("[data-part]")?.dataset.part;
-      if (part === undefined) return;
-      for (const same of inside.querySelectorAll(`[data-part="${part}"]`)) {
-        same.classList.toggle("lit", on);
-      }
-    };
-    inside.addEventListener("pointerover", (event) => mark(event, true));
-    inside.addEventListener("pointerout", (event) => mark(event, false));
-  }
-
   function inside(answer, item) {
     return item.kind === "gap" ? insideGap(answer, item) : insideFrame(answer);
   }
 
-  return { element, counted, heading, inside, connect, hexByte };
+  return { counted, heading, inside, hexByte };
 })();

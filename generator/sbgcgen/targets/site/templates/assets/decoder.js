@@ -2,7 +2,8 @@
 "use strict";
 
 (() => {
-  const { element, counted, heading, inside, connect, hexByte } = decoderView;
+  const { element, copyButton, connectParts } = sbgcPage;
+  const { counted, heading, inside, hexByte } = decoderView;
   const get = (id) => document.getElementById(id);
   const form = get("decoder");
   const text = get("hex");
@@ -190,24 +191,12 @@
     const item = items[answer.index];
     content.append(...inside(answer, item));
     if (item.kind === "frame") content.append(actions(answer));
-    connect(content);
+    connectParts(content);
   }
 
   function actions(answer) {
-    const bar = element("p", { class: "actions" });
-    const copy = (label, what) => {
-      const button = element("button", { type: "button", class: "plain quiet small" }, label);
-      button.addEventListener("click", async () => {
-        try {
-          await navigator.clipboard.writeText(what());
-          button.textContent = "Copied";
-        } catch {
-          button.textContent = "Not allowed";
-        }
-        setTimeout(() => (button.textContent = label), 1500);
-      });
-      bar.append(button);
-    };
+    const bar = element("p", { class: "flow actions" });
+    const copy = (label, what) => bar.append(copyButton(label, what, { class: "plain quiet small" }));
     const hex = () => Array.from(answer.bytes, hexByte).join("");
     const way = answer.frame.direction === "from_board" ? "board" : "host";
     copy("Copy as JSON", () => JSON.stringify(answer.frame));
@@ -317,14 +306,12 @@
   });
   for (const radio of form.elements.from) radio.addEventListener("change", decode);
   form.addEventListener("submit", (event) => event.preventDefault());
-  get("clear").addEventListener("click", () => {
-    setText("");
-    text.focus();
-  });
-  get("held-drop").addEventListener("click", () => {
-    setText("");
-    text.focus();
-  });
+  for (const id of ["clear", "held-drop"]) {
+    get(id).addEventListener("click", () => {
+      setText("");
+      text.focus();
+    });
+  }
   get("held-kind").addEventListener("click", () => {
     hold({ ...held, hex: !held.hex });
     decode();

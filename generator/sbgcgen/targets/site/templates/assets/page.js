@@ -1,8 +1,28 @@
-// Conveniences; every page works without them.
+// Conveniences, and what other scripts use; every page works without them.
 "use strict";
 
-(() => {
+const sbgcPage = (() => {
   const root = document.documentElement;
+
+  /** element("td", {class: "raw"}, "text", child, ...) */
+  function element(name, attributes = {}, ...children) {
+    const result = document.createElement(name);
+    for (const [key, value] of Object.entries(attributes)) {
+      if (value !== null && value !== false) result.setAttribute(key, value === true ? "" : value);
+    }
+    result.append(...children);
+    return result;
+  }
+
+  /** Loads a script of the site; rejects with an Error that names it. */
+  const loadScript = (file) =>
+    new Promise((resolve, reject) => {
+      const script = element("script", { src: `${document.body.dataset.root}assets/${file}` });
+      script.onload = resolve;
+      script.onerror = () => reject(new Error(file));
+      document.head.append(script);
+    });
+
 
   // Light or dark
   const theme = document.querySelector(".theme");
@@ -11,11 +31,7 @@
   const showTheme = () => theme.setAttribute("aria-pressed", String(isDark()));
   theme.addEventListener("click", () => {
     root.dataset.theme = isDark() ? "light" : "dark";
-    try {
-      localStorage.setItem("theme", root.dataset.theme);
-    } catch {
-      // The choice lasts for this page only.
-    }
+    sbgcChoices.set("theme", root.dataset.theme);
     showTheme();
   });
   system.addEventListener("change", showTheme);
@@ -50,28 +66,26 @@
     if (event.key === "Escape") showMenu(false);
   });
 
-  // Copy buttons
-  function addCopyButton(block) {
-    if (!navigator.clipboard) return;
-    const button = document.createElement("button");
-    button.type = "button";
-    button.className = "copy";
-    button.textContent = "Copy";
-    button.setAttribute("aria-label", `Copy ${block.dataset.copy}`);
+  /** A button that copies the text that `what()` returns. */
+  function copyButton(label, what, attributes) {
+    const button = element("button", { type: "button", ...attributes }, label);
     button.addEventListener("click", async () => {
-      const code = block.querySelector("code");
       try {
-        await navigator.clipboard.writeText(code.textContent.trim());
+        await navigator.clipboard.writeText(what());
         button.textContent = "Copied";
       } catch {
         button.textContent = "Not allowed";
       }
-      setTimeout(() => (button.textContent = "Copy"), 1500);
+      setTimeout(() => (button.textContent = label), 1500);
     });
-    block.prepend(button);
+    return button;
+  }
+  function addCopyButton(block) {
+    if (!navigator.clipboard) return;
+    const what = () => block.querySelector("code").textContent.trim();
+    block.prepend(copyButton("Copy", what, { class: "copy", "aria-label": `Copy ${block.dataset.copy}` }));
   }
   for (const block of document.querySelectorAll("[data-copy]")) addCopyButton(block);
-  globalThis.sbgcAddCopyButton = addCopyButton; // for what other scripts add
 
   // An address unfolds what it leads to, such as an erratum.
   const unfold = () => {
@@ -84,33 +98,23 @@
   // Tabs. The choice holds for all pages, and an address with the id of a heading chooses its tab.
   for (const box of document.querySelectorAll(".tabs")) {
     const panels = [...box.querySelectorAll(":scope > .tab")];
-    const list = document.createElement("div");
-    list.className = "tab-list";
-    list.setAttribute("role", "tablist");
     const tabs = panels.map((panel, index) => {
-      const tab = document.createElement("button");
-      const heading = panel.querySelector("h3");
-      panel.id = `tab-${heading.id}`;
+      panel.id = `tab-${panel.querySelector("h3").id}`;
       panel.setAttribute("role", "tabpanel");
-      tab.type = "button";
-      tab.textContent = panel.dataset.tab;
-      tab.setAttribute("role", "tab");
-      tab.setAttribute("aria-controls", panel.id);
+      const controls = { type: "button", role: "tab", "aria-controls": panel.id };
+      const tab = element("button", controls, panel.dataset.tab);
       tab.addEventListener("click", () => open(index));
       return tab;
     });
+    const about = { class: "tab-list", role: "tablist", "aria-label": "Language of the example" };
+    const list = element("div", about, ...tabs);
     const open = (chosen, isKept = true) => {
       for (const [index, panel] of panels.entries()) {
         panel.classList.toggle("closed", index !== chosen);
         tabs[index].setAttribute("aria-selected", String(index === chosen));
         tabs[index].tabIndex = index === chosen ? 0 : -1;
       }
-      if (!isKept) return;
-      try {
-        localStorage.setItem("tab", panels[chosen].id);
-      } catch {
-        // The choice lasts for this page only.
-      }
+      if (isKept) sbgcChoices.set("tab", panels[chosen].id);
     };
     const named = (id) => panels.findIndex((panel) => panel.id === id);
     const openAddress = () => {
@@ -127,34 +131,30 @@
       open(next);
       tabs[next].focus();
     });
-    list.setAttribute("aria-label", "Language of the example");
-    list.append(...tabs);
     box.prepend(list);
-    let kept = null;
-    try {
-      kept = localStorage.getItem("tab");
-    } catch {
-      // The first one, then.
-    }
-    open(Math.max(0, named(kept)), false);
+    open(Math.max(0, named(sbgcChoices.get("tab"))), false);
     openAddress();
     addEventListener("hashchange", openAddress);
   }
 
-  // Highlights bytes of a frame and their rows together.
-  for (const part of document.querySelectorAll("[data-part]")) {
-    const scope = part.closest("article") ?? document;
-    const mark = (on) => {
-      for (const same of scope.querySelectorAll(`[data-part="${CSS.escape(part.dataset.part)}"]`)) {
+  /** Highlights bytes of a frame and their rows together. */
+  function connectParts(scope) {
+    const mark = (event, on) => {
+      const part = event.target.closest?.("[data-part]")?.dataset.part;
+      if (part === undefined) return;
+      for (const same of scope.querySelectorAll(`[data-part="${CSS.escape(part)}"]`)) {
         same.classList.toggle("lit", on);
       }
     };
-    part.addEventListener("pointerenter", () => mark(true));
-    part.addEventListener("pointerleave", () => mark(false));
+    scope.addEventListener("pointerover", (event) => mark(event, true));
+    scope.addEventListener("pointerout", (event) => mark(event, false));
   }
+  for (const article of document.querySelectorAll("article")) connectParts(article);
   for (const cell of document.querySelectorAll("[data-row]")) {
     cell.addEventListener("click", () => {
       location.hash = encodeURIComponent(cell.dataset.row);
     });
   }
+
+  return { element, loadScript, copyButton, addCopyButton, connectParts };
 })();

@@ -6,6 +6,7 @@
   const input = document.getElementById("search");
   const list = document.getElementById("search-results");
   const status = document.getElementById("search-status");
+  const { element, loadScript } = sbgcPage;
   const root = document.body.dataset.root;
   const limit = 30;
 
@@ -13,37 +14,20 @@
   let loading;
   let active = -1;
 
-  const script = (name) =>
-    new Promise((resolve, reject) => {
-      const element = document.createElement("script");
-      element.src = `${root}assets/${name}`;
-      element.onload = resolve;
-      element.onerror = () => reject(new Error(name));
-      document.head.append(element);
-    });
-
   const load = () => {
-    loading ??= Promise.all(["minisearch.js", "finder.js", "search-index.js"].map(script)).then(async () => {
+    loading ??= Promise.all(["minisearch.js", "finder.js", "search-index.js"].map(loadScript)).then(async () => {
       find = await sbgcFinder(MiniSearch, sbgcSearchIndex);
     });
     return loading;
   };
 
   const option = (entry, index) => {
-    const link = document.createElement("a");
-    link.id = `search-${index}`;
-    link.href = root + entry.page.replace(/#.*/, (part) => `#${encodeURIComponent(part.slice(1))}`);
-    link.tabIndex = -1;
-    link.setAttribute("role", "option");
-    link.setAttribute("aria-selected", "false");
+    const href = root + entry.page.replace(/#.*/, (part) => `#${encodeURIComponent(part.slice(1))}`);
+    const link = element("a", { id: `search-${index}`, href, tabindex: -1, role: "option", "aria-selected": "false" });
     const twins = entry.others.length ? `with ${entry.others.join(", ")}` : "";
     const about = [twins, entry.about].filter(Boolean).join(" · ");
     for (const [name, text] of [["name", entry.name], ["kind", entry.kind], ["about", about]]) {
-      if (!text) continue;
-      const part = document.createElement("span");
-      part.className = name;
-      part.textContent = text;
-      link.append(part, " ");
+      if (text) link.append(element("span", { class: name }, text), " ");
     }
     link.addEventListener("pointermove", () => choose(index));
     link.addEventListener("click", close);
@@ -51,15 +35,8 @@
   };
 
   // A line among the results without a link.
-  const note = (text) => {
-    const line = document.createElement("div");
-    line.className = "nothing";
-    line.setAttribute("role", "option");
-    line.setAttribute("aria-disabled", "true");
-    line.setAttribute("aria-selected", "false");
-    line.textContent = text;
-    return line;
-  };
+  const note = (text) =>
+    element("div", { class: "nothing", role: "option", "aria-disabled": "true", "aria-selected": "false" }, text);
 
   const choose = (index) => {
     const options = list.querySelectorAll("a[role=option]");

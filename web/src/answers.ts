@@ -1,0 +1,16 @@
+// What workers answer their pages.
+
+import type { Report } from "./worker_messages.js";
+
+type Done = Extract<Report, { kind: "done" }>;
+
+export const sentenceOf = (error: unknown): string =>
+  error instanceof Error ? error.message : String(error);
+
+/** Tells the page how the work has ended that it asked for. */
+export function answer(say: (report: Done) => void, id: number, work: Promise<object | void>): void {
+  work.then(
+    (result) => say({ kind: "done", id, ...result }),
+    (error: unknown) => say({ kind: "done", id, error: sentenceOf(error) }),
+  );
+}
