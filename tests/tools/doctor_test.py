@@ -47,8 +47,13 @@ def test_a_resonance_is_named(shaking: EmulatedGimbal) -> None:
 
 def test_an_alias_is_no_frequency() -> None:
     with emulated_gimbal("--fault", "resonance=213Hz:0.5:pitch") as gimbal:
-        report = examined(gimbal.address, "4s")
-    first = report["axes"]["pitch"]["frequencies"][0]
+        for _ in range(4):
+            report = examined(gimbal.address, "4s")
+            first = report["axes"]["pitch"]["frequencies"][0]
+            if len(first["or_hz"]) == 1:
+                break
+            # On a busy machine, the samples at the other rate may have gaps, but not each time.
+            assert first["hz"] == pytest.approx(37, abs=1) and len(first["or_hz"]) > 1
     assert first["hz"] is None and first["seen_at_hz"] == pytest.approx(37, abs=1)
     assert first["or_hz"] == [pytest.approx(213, abs=1)]
     (text,) = [one["sentence"] for one in report["findings"] if one.get("axis") == "pitch"]

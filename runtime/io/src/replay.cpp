@@ -26,6 +26,8 @@ namespace {
 struct Piece {
   CaptureTime time{};
   std::vector<std::uint8_t> bytes{};
+  std::size_t writes{};      ///< recorded before it
+  CaptureTime last_write{};  ///< the time of the last of these
 };
 
 /// The pieces of a file, read on demand.
@@ -38,9 +40,6 @@ class Source {
 
   /// Returns the next piece; nullopt at the end.
   std::optional<Piece> next() { return raw_ ? next_raw() : next_record(); }
-
-  /// True if the capture, as far as it is read, begins with bytes to the board.
-  bool begins_with_request() const { return first_ == CaptureKind::to_board; }
 
  private:
   std::optional<Piece> next_raw() {
@@ -70,9 +69,13 @@ class Source {
     // Times in a file are untrusted: they must not run backwards or exceed all bounds.
     constexpr CaptureTime bound = std::chrono::years(1);
     last_ = std::max(last_, std::min(session_begin_ + std::min(record->time, bound), bound));
-    if (record->kind != CaptureKind::note && !first_) first_ = record->kind;
-    if (record->kind != CaptureKind::from_board || record->bytes.empty()) return std::nullopt;
-    return Piece{last_, {record->bytes.begin(), record->bytes.end()}};
+    if (record->kind == CaptureKind::note || record->bytes.empty()) return std::nullopt;
+    if (record->kind == CaptureKind::to_board) {
+      ++writes_;
+      last_write_ = last_;
+      return std::nullopt;
+    }
+    return Piece{last_, {record->bytes.begin(), record->bytes.end()}, writes_, last_write_};
   }
 
   std::vector<std::uint8_t> read_block() {
@@ -92,7 +95,8 @@ class Source {
   CaptureParser parser_;
   CaptureTime session_begin_{};
   CaptureTime last_{};
-  std::optional<CaptureKind> first_{};  // of the records that are no notes
+  std::size_t writes_ = 0;  // so far
+  CaptureTime last_write_{};
 };
 
 /// Outlives the transport while a read waits until it is due.
@@ -103,18 +107,19 @@ class Player : public std::enable_shared_from_this<Player> {
 
   Player(const asio::any_io_executor& executor, ReplayTiming timing, double speed,
          detail::Descriptor file)
-      : timing_(timing), speed_(speed), source_(std::move(file)), timer_(executor) {}
+      : timing_(timing),
+        speed_(speed),
+        waits_(timing == ReplayTiming::answers),
+        source_(std::move(file)),
+        timer_(executor) {}
 
   void read(std::span<std::uint8_t> into, Handler handler) {
     if (closed_) return complete(std::move(handler), asio::error::operation_aborted, 0);
     if (given_ == piece_.bytes.size() && !advance()) {
       return complete(std::move(handler), Errc::end_of_stream, 0);
     }
-    if (!start_) {
-      const bool waits = timing_ == ReplayTiming::answers && source_.begins_with_request();
-      start_ = Clock::now() + (waits ? longest_wait : Clock::duration::zero());
-    }
-    if (timing_ == ReplayTiming::fast || due() <= Clock::now()) {
+    if (!start_) start_ = Clock::now();
+    if (timing_ == ReplayTiming::fast || (is_asked() && due() <= Clock::now())) {
       return complete(std::move(handler), {}, take(into));
     }
     wait(into, std::move(handler));
@@ -122,8 +127,10 @@ class Player : public std::enable_shared_from_this<Player> {
 
   void write(std::span<const std::uint8_t> bytes, Handler handler) {
     if (closed_) return complete(std::move(handler), asio::error::operation_aborted, 0);
-    start_ = std::min(start_.value_or(Clock::time_point::max()), Clock::now());
-    timer_.cancel();  // what waits may be due sooner
+    ++writes_;
+    if (!start_) start_ = Clock::now();
+    if (waits_ && writes_ == piece_.writes) be_asked();
+    timer_.cancel();  // what waits may be due now
     complete(std::move(handler), {}, bytes.size());
   }
 
@@ -140,9 +147,20 @@ class Player : public std::enable_shared_from_this<Player> {
                [handler = std::move(handler), error, size] { handler(error, size); });
   }
 
+  Clock::duration played(CaptureTime time) const {
+    return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(time) /
+                                                       speed_);
+  }
+
+  bool is_asked() const { return !waits_ || writes_ >= piece_.writes; }
+
+  /// What was written late delays what follows.
+  void be_asked() { start_ = std::max(*start_, Clock::now() - played(piece_.last_write)); }
+
+  /// Returns when the piece comes, or if it is not asked for, when it no longer waits for that.
   Clock::time_point due() const {
-    return *start_ + std::chrono::duration_cast<Clock::duration>(
-                         std::chrono::duration<double>(piece_.time) / speed_);
+    if (is_asked()) return *start_ + played(piece_.time);
+    return *start_ + played(piece_.last_write) + longest_wait;
   }
 
   void wait(std::span<std::uint8_t> into, Handler handler) {
@@ -150,7 +168,13 @@ class Player : public std::enable_shared_from_this<Player> {
     timer_.async_wait(
         [self = shared_from_this(), into, handler = std::move(handler)](std::error_code) mutable {
           if (self->closed_) return handler(asio::error::operation_aborted, 0);
-          if (self->due() > Clock::now()) return self->wait(into, std::move(handler));
+          const bool is_due = self->due() <= Clock::now();
+          if (is_due && !self->is_asked()) {
+            self->waits_ = false;  // this program asks for something else
+            self->be_asked();
+            return self->wait(into, std::move(handler));
+          }
+          if (!is_due) return self->wait(into, std::move(handler));
           handler({}, self->take(into));
         });
   }
@@ -170,10 +194,12 @@ class Player : public std::enable_shared_from_this<Player> {
     return size;
   }
 
-  static constexpr std::chrono::seconds longest_wait{1};  // for the first request
+  static constexpr std::chrono::seconds longest_wait{1};
 
   ReplayTiming timing_;
   double speed_;
+  bool waits_;  // for what is written
+  std::size_t writes_ = 0;
   Source source_;
   Piece piece_;
   std::size_t given_ = 0;  // of the piece

@@ -13,9 +13,9 @@ namespace sbgc::io {
 /// When the bytes of a capture come.
 enum class ReplayTiming : std::uint8_t {
   original,  ///< at the recorded time after the first read; no pause between sessions
-  answers,  ///< as above, but after the first write, for up to a second, if the capture begins with
-            ///< bytes to the board
-  fast,     ///< as fast as it is read
+  answers,   ///< as above, but not before the program has written as often as the recorded one had
+             ///< by then; after a second without that, at the recorded times
+  fast,      ///< as fast as it is read
 };
 
 /// Opens a transport that delivers the bytes from the board in the recorded pieces and ignores
