@@ -69,12 +69,11 @@ class Source {
     // Times in a file are untrusted: they must not run backwards or exceed all bounds.
     constexpr CaptureTime bound = std::chrono::years(1);
     last_ = std::max(last_, std::min(session_begin_ + std::min(record->time, bound), bound));
-    if (record->kind == CaptureKind::note || record->bytes.empty()) return std::nullopt;
-    if (record->kind == CaptureKind::to_board) {
+    if (record->kind == CaptureKind::to_board && !record->bytes.empty()) {
       ++writes_;
       last_write_ = last_;
-      return std::nullopt;
     }
+    if (record->kind != CaptureKind::from_board || record->bytes.empty()) return std::nullopt;
     return Piece{last_, {record->bytes.begin(), record->bytes.end()}, writes_, last_write_};
   }
 
