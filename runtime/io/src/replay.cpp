@@ -167,13 +167,11 @@ class Player : public std::enable_shared_from_this<Player> {
     timer_.async_wait(
         [self = shared_from_this(), into, handler = std::move(handler)](std::error_code) mutable {
           if (self->closed_) return handler(asio::error::operation_aborted, 0);
-          const bool is_due = self->due() <= Clock::now();
-          if (is_due && !self->is_asked()) {
+          if (!self->is_asked() && self->due() <= Clock::now()) {
             self->waits_ = false;  // this program asks for something else
             self->be_asked();
-            return self->wait(into, std::move(handler));
           }
-          if (!is_due) return self->wait(into, std::move(handler));
+          if (self->due() > Clock::now()) return self->wait(into, std::move(handler));
           handler({}, self->take(into));
         });
   }
