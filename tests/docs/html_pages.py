@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import cache
 
 from facts import Place
 from pages import Element, read
@@ -35,6 +36,10 @@ def shown(element: Element) -> str:
     return f" {text} " if element.tag in _APART or is_target else text
 
 
+# Several facts are at the same place.
+_shown_once = cache(shown)
+
+
 def _around(element: Element, tag: str) -> Element | None:
     """Returns the nearest enclosing element with this tag, or the element itself."""
     return next((e for e in (element, *element.ancestors()) if e.tag == tag), None)
@@ -54,7 +59,7 @@ class HtmlPages:
             return None
         page = read(name, self.files[name])
         if not id_:
-            return shown(page.main)
+            return _shown_once(page.main)
         # Some ids are only the name of the documented item.
         element = page.by_id.get(id_) or page.by_id.get(place.hook)
         if element is None:
@@ -83,10 +88,10 @@ class HtmlPages:
 def _text_of(element: Element, column: str) -> str:
     row = _around(element, "tr")
     if row is None or (column == "offset" and element is not row):
-        return shown(element)
+        return _shown_once(element)
     wanted = _COLUMNS.get(column, [])
-    cells = [shown(cell) for title, cell in zip(_titles(row), _cells(row)) if title in wanted]
-    return " ".join(cells) if cells else shown(row)
+    cells = [_shown_once(cell) for title, cell in zip(_titles(row), _cells(row)) if title in wanted]
+    return " ".join(cells) if cells else _shown_once(row)
 
 
 def _cells(row: Element) -> list[Element]:
@@ -96,4 +101,4 @@ def _cells(row: Element) -> list[Element]:
 def _titles(row: Element) -> list[str]:
     table = _around(row, "table")
     head = table.all("tr")[0] if table else row
-    return [" ".join(shown(cell).split()) for cell in _cells(head)]
+    return [" ".join(_shown_once(cell).split()) for cell in _cells(head)]

@@ -13,7 +13,7 @@ from urllib.parse import unquote, urljoin
 VOID = frozenset("br hr img input link meta wbr path rect circle ellipse".split())
 
 
-@dataclass
+@dataclass(eq=False)
 class Element:
     """An element with its attributes and contents."""
 
@@ -95,7 +95,7 @@ class Page:
         """Returns the first element of each id."""
         return {e.get("id"): e for e in reversed(self.root.all()) if "id" in e.attributes}
 
-    @property
+    @cached_property
     def ids(self) -> list[str]:
         return [e.get("id") for e in self.root.all() if "id" in e.attributes]
 

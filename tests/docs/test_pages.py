@@ -5,6 +5,7 @@ uses a part."""
 from __future__ import annotations
 
 import re
+from collections import Counter
 from dataclasses import replace
 from pathlib import Path
 from urllib.parse import urljoin
@@ -49,7 +50,7 @@ BUILT = {"assets/messages-module.js"}
 
 def test_ids_are_unique(pages: Pages) -> None:
     for page in pages.values():
-        twice = {name for name in page.ids if page.ids.count(name) > 1}
+        twice = {name for name, count in Counter(page.ids).items() if count > 1}
         assert not twice, f"{page.path}: {twice}"
         assert "" not in page.ids and not any(re.search(r"\s", i) for i in page.ids), page.path
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 
@@ -24,8 +25,12 @@ struct CommandContext {
 /// Returns what `sbgc` alone prints; it fits on a small terminal.
 std::string front_page(const CLI::App& app);
 
-/// Adds the subcommands that this program has: those of all_commands.cpp or offline_commands.cpp.
-void add_commands(CLI::App& app, CommandContext& context);
+/// True if this is the name of a subcommand that works without the others.
+bool stands_alone(std::string_view name);
+
+/// Adds the subcommands that this program has, those of all_commands.cpp or offline_commands.cpp,
+/// or the one of this name.
+void add_commands(CLI::App& app, CommandContext& context, std::string_view only);
 
 /// If this process is a helper that a subcommand started, does its work and returns the exit
 /// status.

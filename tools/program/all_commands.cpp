@@ -1,6 +1,7 @@
 // The subcommands where sbgc::io and sbgc::client exist: all.
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -13,21 +14,56 @@ namespace sbgc::tools {
 
 namespace {
 
+struct Command {
+  const char* name;
+  AddCommand* add;
+  bool uses_others = false;  ///< runs or describes other commands
+};
+
 /// The subcommands by their headings in the help.
 struct Heading {
   const char* name;
-  std::vector<AddCommand*> commands;
+  std::vector<Command> commands;
 };
 const std::vector<Heading> headings{
-    {"Look", {add_ports, add_info, add_monitor, add_stream, add_plot, add_describe}},
-    {"Parameters", {add_params, add_vars}},
-    {"Move", {add_move, add_speed, add_jog, add_stop, add_motors, add_menu, add_bode}},
+    {"Look",
+     {{"ports", add_ports},
+      {"info", add_info},
+      {"monitor", add_monitor},
+      {"stream", add_stream},
+      {"plot", add_plot},
+      {"describe", add_describe}}},
+    {"Parameters", {{"params", add_params}, {"vars", add_vars}}},
+    {"Move",
+     {{"move", add_move},
+      {"speed", add_speed},
+      {"jog", add_jog},
+      {"stop", add_stop},
+      {"motors", add_motors},
+      {"menu", add_menu, true},
+      {"bode", add_bode}}},
     {"Care",
-     {add_doctor, add_tune, add_calibrate, add_eeprom, add_files, add_script, add_module,
-      add_reset}},
-    {"Bytes", {add_send, add_record, add_replay, add_decode, add_encode, add_emulate}},
-    {"Share", {add_bridge, add_gateway}},
-    {"Shell", {add_shell, add_help, add_completion, add_manual}},
+     {{"doctor", add_doctor},
+      {"tune", add_tune},
+      {"calibrate", add_calibrate},
+      {"eeprom", add_eeprom},
+      {"files", add_files},
+      {"script", add_script},
+      {"module", add_module},
+      {"reset", add_reset}}},
+    {"Bytes",
+     {{"send", add_send},
+      {"record", add_record},
+      {"replay", add_replay},
+      {"decode", add_decode},
+      {"encode", add_encode},
+      {"emulate", add_emulate}}},
+    {"Share", {{"bridge", add_bridge}, {"gateway", add_gateway}}},
+    {"Shell",
+     {{"shell", add_shell, true},
+      {"help", add_help, true},
+      {"completion", add_completion, true},
+      {"manual", add_manual, true}}},
 };
 
 /// Options of a gimbal before the command are for commands that talk to one.
@@ -78,11 +114,22 @@ std::string front_page(const CLI::App& app) {
   return text + "\n`sbgc help` describes them; `sbgc help COMMAND` has all options of one.\n";
 }
 
-void add_commands(CLI::App& app, CommandContext& context) {
+bool stands_alone(std::string_view name) {
+  for (const Heading& heading : headings) {
+    for (const Command& command : heading.commands) {
+      if (command.name == name) return !command.uses_others;
+    }
+  }
+  return false;
+}
+
+void add_commands(CLI::App& app, CommandContext& context, std::string_view only) {
   add_gimbal_options(app, context.gimbal);
   for (const auto& [name, commands] : headings) {
     app.group(name);  // the subcommands inherit it
-    for (AddCommand* const add : commands) add(app, context);
+    for (const Command& command : commands) {
+      if (only.empty() || command.name == only) command.add(app, context);
+    }
   }
   app.footer(
       "`sbgc help COMMAND` and the manual pages have the details; `sbgc help connection` "

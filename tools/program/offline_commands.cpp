@@ -1,12 +1,16 @@
 // The subcommands where sbgc::io does not exist: those that need no gimbal.
 
+#include <string_view>
+
 #include "command/subcommand.hpp"
 
 namespace sbgc::tools {
 
 std::string front_page(const CLI::App& app) { return app.help(); }
 
-void add_commands(CLI::App& app, CommandContext& context) {
+bool stands_alone(std::string_view) { return false; }
+
+void add_commands(CLI::App& app, CommandContext& context, std::string_view) {
   app.group("Look");  // the heading in the help
   add_describe(app, context);
   app.group("Bytes");

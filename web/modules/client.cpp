@@ -26,7 +26,7 @@ namespace {
 /// The board sends its state as often as a screen shows it.
 constexpr int view_interval_ms = 16;
 /// After a restart of the board, or a lost request, its stream is asked for again.
-constexpr Duration patience = milliseconds(700);
+constexpr Duration longest_silence = milliseconds(700);
 constexpr Duration pause = milliseconds(8);
 
 const char* name_of(ReplyKind kind) {
@@ -217,7 +217,7 @@ Task<Result<void>> Client::watch() {
     const Result<Reply>* const begun = task.reply(stream);
     const bool has_none = !*begun && begun->error().code == ErrorCode::unsupported;
     Instant heard = task.now();
-    while (task.now() - heard < patience) {
+    while (task.now() - heard < longest_silence) {
       std::optional<tools::LiveValues> values;
       if (has_none) {
         const auto data = co_await tasks::call(msg::RealtimeData3Request{});

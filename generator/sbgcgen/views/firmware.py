@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any
 
 from sbgcgen.model import NOWHERE, Availability, Command, Enum, EnumValue, Framing, Later, Layout
@@ -95,7 +96,7 @@ class History:
             found.setdefault(self.release_of(news.since), []).append(news)
         return [Release(text, tuple(news)) for text, news in found.items()]
 
-    @property
+    @cached_property
     def choices(self) -> list[tuple[str, list[tuple[int, str]]]]:
         """The firmware versions that differ, with their numbers, by release.
 
