@@ -9,6 +9,7 @@
 #include <sbgc/availability.hpp>
 #include <sbgc/dispatch.hpp>
 #include <sbgc/emulator/board.hpp>
+#include <sbgc/message_infos.hpp>
 #include <sbgc/parameters.hpp>
 #include <sbgc/request_sizes.hpp>
 #include <sbgc/responses/all.hpp>
@@ -228,14 +229,10 @@ class Board::Core {
 
   /// True if this board supports any request with this id.
   bool knows(std::uint8_t id) const {
-    bool is_known = false;
-    AllMessages::for_each([&]<class M>(Type<M>) {
-      if constexpr (M::direction != Direction::from_board) {
-        const bool has_id = static_cast<std::uint8_t>(M::command) == id;
-        is_known = is_known || (has_id && is_supported<M>(versions_of(device.options)));
-      }
+    const Availability versions = versions_of(device.options);
+    return std::any_of(message_infos.begin(), message_infos.end(), [&](const MessageInfo* info) {
+      return info->id == id && info->travels(Direction::to_board) && is_supported(*info, versions);
     });
-    return is_known;
   }
 
   /// Answers an unknown request with CMD_ERROR if the board supports it. Does not answer errors,

@@ -9,9 +9,9 @@
 
 #include <fmt/format.h>
 
-#include <sbgc/dispatch.hpp>
 #include <sbgc/emulator/board_options.hpp>
 #include <sbgc/internal/parse_number.hpp>
+#include <sbgc/message_infos.hpp>
 #include <sbgc/protocol.hpp>
 #include <sbgc/text.hpp>
 
@@ -131,10 +131,10 @@ std::string problem_of(msg::FirmwareVersion version) {
 
 msg::BoardVersion usual_board(msg::FirmwareVersion firmware) {
   msg::BoardVersion newest = emulator::BoardOptions{}.board;
-  AllMessages::for_each([&]<class M>(Type<M>) {
-    const msg::BoardVersion needed(M::since.board);
-    if (M::since.firmware <= firmware.raw()) newest = std::max(newest, needed);
-  });
+  for (const MessageInfo* const info : message_infos) {
+    const msg::BoardVersion needed(info->since.board);
+    if (info->since.firmware <= firmware.raw()) newest = std::max(newest, needed);
+  }
   return newest;
 }
 

@@ -54,7 +54,8 @@ class AsyncReconnecting : public CableTest {
   }
 
   asio::io_context context;
-  asio::executor_work_guard<asio::io_context::executor_type> work{context.get_executor()};
+  std::optional<asio::executor_work_guard<asio::io_context::executor_type>> work{
+      context.get_executor()};
   std::optional<AsyncClient> client;
   Subscription watching;
   std::thread thread;
@@ -230,6 +231,7 @@ TEST_F(AsyncReconnecting, TheContextIsFreeAfterClose) {
   EXPECT_EQ(client->state(), LinkState::closed);
   client.reset();
   context.restart();
+  work.emplace(context.get_executor());
   thread.join();
   thread = std::thread([this] { context.run(); });
 }

@@ -12,9 +12,11 @@ import re
 from collections.abc import Callable, Iterator, Mapping
 from functools import cache
 from pathlib import Path
+from types import CodeType
 from typing import Any
 
 import jinja2
+from jinja2.bccache import Bucket
 
 from sbgcgen import views
 from sbgcgen.model import Layout
@@ -37,9 +39,22 @@ def _fail(message: str) -> None:
     raise ValueError(message)
 
 
+class _CompiledTemplates(jinja2.BytecodeCache):
+    """The code of templates, which takes longer to compile than to run."""
+
+    def __init__(self) -> None:
+        self._code: dict[tuple[str, str], CodeType | None] = {}
+
+    def load_bytecode(self, bucket: Bucket) -> None:
+        bucket.code = self._code.get((bucket.key, bucket.checksum))
+
+    def dump_bytecode(self, bucket: Bucket) -> None:
+        self._code[bucket.key, bucket.checksum] = bucket.code
+
+
 @cache
 def environment(target: Target) -> jinja2.Environment:
-    """The environment of a target; it caches compiled templates."""
+    """The environment of a target; it keeps the code of its templates."""
     loader = jinja2.FileSystemLoader(target.templates)
     shared = jinja2.FileSystemLoader(Path(views.__file__).parent)
     environment = jinja2.Environment(
@@ -49,6 +64,7 @@ def environment(target: Target) -> jinja2.Environment:
         lstrip_blocks=True,
         keep_trailing_newline=True,
         autoescape=lambda name: (name or "").endswith((".html.j2", ".html.jinja")),
+        bytecode_cache=_CompiledTemplates(),
         extensions=["jinja2.ext.do", "jinja2.ext.loopcontrols"],
     )
     environment.filters.update(FILTERS)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import shutil
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -126,14 +127,16 @@ def test_a_target_goes_with_its_folder(
 # Imports of the modules
 
 
-def modules() -> Iterator[tuple[Path, ast.Module]]:
-    for path in sorted((GENERATOR / "sbgcgen").rglob("*.py")):
-        yield path, ast.parse(path.read_text(encoding="utf-8"))
+@cache
+def modules() -> dict[Path, list[ast.AST]]:
+    """The nodes of each module."""
+    paths = sorted((GENERATOR / "sbgcgen").rglob("*.py"))
+    return {path: list(ast.walk(ast.parse(path.read_text(encoding="utf-8")))) for path in paths}
 
 
-def imports(tree: ast.Module) -> Iterator[str]:
+def imports(nodes: list[ast.AST]) -> Iterator[str]:
     """Yields the imported modules and names."""
-    for node in ast.walk(tree):
+    for node in nodes:
         if isinstance(node, ast.Import):
             yield from (name.name for name in node.names)
         elif isinstance(node, ast.ImportFrom) and node.module:
@@ -143,12 +146,12 @@ def imports(tree: ast.Module) -> Iterator[str]:
 @pytest.mark.parametrize("name", NAMES)
 def test_no_module_outside_names_a_target(name: str) -> None:
     folder = HERE / name
-    for path, tree in modules():
+    for path, nodes in modules().items():
         if folder in path.parents:
             continue
-        for module in imports(tree):
+        for module in imports(nodes):
             assert f"{module}.".find(f".targets.{name}.") < 0, f"{path.name} imports {module}"
-        for node in ast.walk(tree):
+        for node in nodes:
             if isinstance(node, ast.Constant) and isinstance(node.value, str):
                 words = node.value.replace("/", " ").replace(".", " ").split()
                 is_other = len(words) > 2
@@ -165,12 +168,12 @@ def test_templates_of_a_target_use_no_other_one() -> None:
 
 def test_folders_use_lower_ones_only() -> None:
     root = GENERATOR / "sbgcgen"
-    for path, tree in modules():
+    for path, nodes in modules().items():
         folder = path.relative_to(root).parts[0]
         if folder not in FOLDERS:
             continue
         higher = FOLDERS[FOLDERS.index(folder) + 1 :]
-        for module in imports(tree):
+        for module in imports(nodes):
             used = f"{module}.".removeprefix("sbgcgen.").split(".")[0]
             assert not module.startswith("sbgcgen.") or used not in higher, f"{path}: {module}"
 
