@@ -187,18 +187,29 @@ test("a page that is hidden goes on, and is locked", () =>
     await page.getByText("motion locked").waitFor();
   }));
 
+/** Stops the camera as another program: again while the page, on a busy machine, has not noticed the stop. */
+async function stopFromOutside() {
+  for (;;) {
+    try {
+      return await camera.stop();
+    } catch (error) {
+      if (!error.message.includes("still turns")) throw error;
+    }
+  }
+}
+
 for (const firmware of ["2.59", "2.70"]) {
   test(`another program stops a turn and a move of ${firmware}: the page yields`, async () => {
     await powerOn(firmware);
     await withSerial({}, async (page) => {
       await armAndTurn(page);
-      await camera.stop();
+      await stopFromOutside();
       await brakes(); // the key is still held
       await page.keyboard.up("ArrowRight");
       await turn(page);
       await page.keyboard.up("ArrowRight");
       await move(page);
-      await camera.stop();
+      await stopFromOutside();
       await brakes();
       await page.getByText("has stopped the camera").first().waitFor();
     });

@@ -18,6 +18,7 @@ constexpr std::array<const MessageInfo*, sizeof...(Ms)> infos_of(TypeList<Ms...>
 
 }  // namespace detail
 
+/// All of them; <sbgc/any.hpp> has types of messages, which do more.
 inline constexpr auto message_infos = detail::infos_of(AllMessages{});
 
 /// As is_supported() of <sbgc/availability.hpp>, for a message that is known at run time.
