@@ -71,15 +71,21 @@ Result<void> Reconnection::start() {
 }
 
 void Reconnection::start(std::shared_ptr<Link> previous, const Completion<Result<void>>& done) {
-  // The functions that the thread has posted, and the closing of a line, need the context.
-  auto work = asio::prefer(executor_, asio::execution::outstanding_work_t::tracked);
-  thread_ = std::thread([self = shared_from_this(), previous = std::move(previous),
-                         work = std::move(work), done]() mutable {
+  auto connect_and_run = [self = shared_from_this(), previous = std::move(previous),
+                          done]() mutable {
     previous.reset();
     Result<void> connected = self->connect_first();
     const bool is_connected = bool(connected);
     done(std::move(connected));
     if (is_connected) self->run();
+  };
+  // The functions that the thread has posted, the closing of a line, and the end of the last owner
+  // need the context, whose work therefore ends last.
+  auto work = asio::prefer(executor_, asio::execution::outstanding_work_t::tracked);
+  thread_ = std::thread([work = std::move(work), act = std::move(connect_and_run)]() mutable {
+    const auto working = std::move(work);
+    auto acting = std::move(act);
+    acting();
   });
 }
 
