@@ -107,8 +107,8 @@ LATER: list[Alteration] = [
     ("value", "CalibMode.COGGING", {"value": 99}),
     ("since", "EventId.SCRIPT", {"since": None}),
     ("value", "EventId.SCRIPT", {"name": "SKRIPT"}),
-    ("extra value", "EventId", {"values": _and_more(7)}, "EventId.MORE"),
-    ("extra value", "StateFlags", {"values": _and_more(1 << 31)}, "StateFlags.MORE"),
+    ("extra constant", "EventId", {"values": _and_more(7)}, "EventId.MORE"),
+    ("extra constant", "StateFlags", {"values": _and_more(1 << 31)}, "StateFlags.MORE"),
     ("bits", "PackedQuaternion.a", {"mask": 1}),
     ("sign", "PackedQuaternion.b", {"sign": 1}),
     (

@@ -6,8 +6,7 @@ from collections import defaultdict
 
 import pytest
 
-from documents import LATER, Json, model_of_documents
-from later import FACTS
+from documents import FACTS, LATER, Json, model_of_documents
 from sbgcgen.model.names import parse_lines
 from support import project_layout
 
