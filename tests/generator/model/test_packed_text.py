@@ -18,7 +18,13 @@ def packed(name: str) -> Packed:
     return next(p for p in load_protocol(HERE / "minimal").layout.packed if p.name == name)
 
 
-FIRMWARE = {"2.59": 2590, "2.55b5": 2555, "2.50": 2500, "2.43b9": 2439, "0.00": 0}
+FIRMWARE: dict[str, int | None] = {
+    "2.59": 2590,
+    "2.55b5": 2555,
+    "2.50": 2500,
+    "2.43b9": 2439,
+    "0.00": 0,
+}
 # The first could be 2.05 or 2.50.
 NO_FIRMWARE = ["2.5", "2", "2.590", "2.59b", "2.59b10", "v2.59", "2.59 ", "2,59", ""]
 

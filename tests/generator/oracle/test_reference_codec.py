@@ -267,8 +267,7 @@ def wanted_of(field: Field, leaf: Leaf) -> Iterator[tuple[str, Any]]:
     for special in field.special:
         yield "special value", special.value
     if isinstance(field.type, Enum) and field.type.kind == "enum":
-        for value in field.type.values:
-            yield value.name, value.value
+        yield from ((named.name, named.value) for named in field.type.values)
 
 
 def announced() -> set[str]:
