@@ -115,14 +115,8 @@ class TypeMaker:
         offsets = (0, "-1/2", "0.1", "-12345", "1/3")
         units = [(None, "value"), (None, "degrees"), ("deg", "degrees"), ("°C", "value")]
         unit, accessor = self.random.choice([*units, ("a/b", "in_words")])
-        scale, offset = self.random.choice(scales), self.random.choice(offsets)
-        node = {
-            "type": number,
-            "unit": unit,
-            "accessor": accessor,
-            "scale": scale,
-            "offset": offset,
-        }
+        scaled = {"scale": self.random.choice(scales), "offset": self.random.choice(offsets)}
+        node: Node = {"type": number, "unit": unit, "accessor": accessor, **scaled}
         if number in INTEGERS and SIZES[number] <= 2 and self.chance(0.3):
             steps = ((52, 255), ("3/2", 40)) if SIZES[number] == 1 else (("3/2", 40000), (7, 65535))
             ratio, over = self.random.choice(steps)
