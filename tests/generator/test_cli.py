@@ -46,29 +46,27 @@ def test_generate_then_check(root: Path, capsys: Capture) -> None:
 
 def test_findings_are_counted_and_nothing_is_written(root: Path, capsys: Capture) -> None:
     write_spec(root, "family: prob\nsumary: x\n")
-    for command in ("lint", "check", "generate"):
+    for command in ("lint", "check"):  # spec/test_fixtures.py has the findings of `generate`
         assert run(root, command) == 1
-        lines = capsys.readouterr().err.splitlines()
-        assert lines[0].startswith("spec/probe.yaml:1:1: SBGC003 ")
-        assert lines[-1] == "2 errors in spec/"
+        assert capsys.readouterr().err.splitlines()[-1] == "2 errors in spec/"
     assert not (root / "generated").exists()
 
 
 @pytest.mark.parametrize(
-    "arguments", [[], ["explode"], ["lint", "--no-such"], ["check", "--stamp", "x"]]
+    ("arguments", "words"),
+    [
+        *(
+            (words, "usage: sbgcgen")
+            for words in ("", "explode", "lint --no-such", "check --stamp x")
+        ),
+        ("generate --depfile x.d", "--depfile needs --stamp"),
+    ],
 )
-def test_wrong_usage(arguments: list[str], capsys: Capture) -> None:
+def test_wrong_usage(arguments: str, words: str, capsys: Capture) -> None:
     with pytest.raises(SystemExit) as stopped:
-        main(arguments)
+        main(arguments.split())
     assert stopped.value.code == 2
-    assert "usage: sbgcgen" in capsys.readouterr().err
-
-
-def test_depfile_without_stamp_is_wrong_usage(root: Path, capsys: Capture) -> None:
-    with pytest.raises(SystemExit) as stopped:
-        run(root, "generate", "--depfile", root / "x.d")
-    assert stopped.value.code == 2
-    assert "--depfile needs --stamp" in capsys.readouterr().err
+    assert words in capsys.readouterr().err
 
 
 def test_output_that_cannot_be_written(root: Path, capsys: Capture) -> None:
@@ -98,18 +96,15 @@ def test_depfile_lists_all_that_was_read(root: Path, folder: str) -> None:
     assert sorted(name for name in names if "__pycache__" in name) == []
 
 
-def test_stamp_is_touched_each_time_though_nothing_changed(root: Path) -> None:
+def test_stamp_is_touched_each_time_except_on_failure(root: Path) -> None:
     stamp = root / "x.stamp"
-    assert run(root, "generate", "--stamp", stamp) == 0
-    os.utime(stamp, ns=(10**18, 10**18))
-    assert run(root, "generate", "--stamp", stamp) == 0
-    assert stamp.stat().st_mtime_ns > 10**18
-
-
-def test_stamp_is_not_touched_on_failure(root: Path) -> None:
+    for _ in range(2):  # at first there are changes
+        assert run(root, "generate", "--stamp", stamp) == 0
+        assert stamp.stat().st_mtime_ns > 10**18
+        os.utime(stamp, ns=(10**18, 10**18))
     write_spec(root, "broken: [\n")
-    assert run(root, "generate", "--stamp", root / "x.stamp") == 1
-    assert not (root / "x.stamp").exists()
+    assert run(root, "generate", "--stamp", stamp) == 1
+    assert stamp.stat().st_mtime_ns == 10**18
 
 
 def test_as_a_program_from_anywhere(root: Path, tmp_path: Path) -> None:

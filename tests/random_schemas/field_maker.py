@@ -7,7 +7,8 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any, Optional
 
-from spec_parts import INTEGERS, MAX_BODY, MAX_MEMORY, SIZES, UNSIGNED, WIDE, Kind, Node, Scope
+from spec_parts import INTEGERS, MAX_BODY, MAX_MEMORY, SIZES, UNSIGNED, WIDE
+from spec_parts import Kind, Node, Scope, blob, scalar
 from type_maker import TypeMaker
 
 
@@ -18,17 +19,15 @@ class FieldMaker(TypeMaker):
 
     def number_kind(self) -> Kind:
         """Returns a type with a number on the wire."""
-        scalars = [Kind(n, s, s, number=n) for n, s in SIZES.items()]
-        scalars += [Kind(n, least, memory) for n, (least, memory) in WIDE.items()]
+        scalars = [scalar(name) for name in (*SIZES, *WIDE)]
         ids = ("CommandToBoard", "CommandFromBoard", "VariableId")
-        named = [Kind(name, 1, 1, number="u8") for name in ids]
+        named = [replace(scalar("u8"), name=name) for name in ids]
         pools = (scalars, self.quantities, self.enums, self.flag_sets, self.packed, named)
         return self.random.choice(self.random.choice([pool for pool in pools if pool]))
 
     def blob_kind(self) -> Kind:
         """Returns bytes or text of some size."""
-        size = self.random.choice((1, 2, 3, 7))
-        return Kind(f"{self.random.choice(('bytes', 'text'))}[{size}]", size, size)
+        return blob(self.random.choice((1, 2, 3, 7)), self.random.choice(("bytes", "text")))
 
     def element_kind(self, scope: Scope) -> Kind:
         """Returns any type with a limited size."""
@@ -53,6 +52,13 @@ class FieldMaker(TypeMaker):
         )
 
     # Fields
+
+    def put(self, scope: Scope, kind: Kind, suffix: str = "", count: int = 1, **keys: Any) -> str:
+        """Adds a field of a type, perhaps several times; returns its name."""
+        name = self.field_name()
+        node = self.said({"name": name + suffix, "type": kind.name, **keys})
+        scope.add(node, kind.least * count, kind.memory * count, kind.fixed)
+        return name
 
     def make_fields(self, scope: Scope, count: int) -> None:
         """Adds up to `count` fields to a scope."""
@@ -104,11 +110,9 @@ class FieldMaker(TypeMaker):
         if kind.number in INTEGERS and self.chance(0.1):
             node["align"] = self.random.choice((2, 64))
         if kind.number in INTEGERS and not kind.is_quantity and "align" not in node:
-            if self.chance(0.2):
-                lowest = str(node.get("range", INTEGERS[kind.number][1])).partition("..")[0]
-                node["typical"] = int(lowest)
-        if self.chance(0.1):
-            node["deprecated"] = self.random.choice((True, {"since": self.since()}))
+            lowest = str(node.get("range", INTEGERS[kind.number][1])).partition("..")[0]
+            node |= self.perhaps(0.2, typical=int(lowest))
+        node |= self.perhaps(0.1, deprecated=self.random.choice((True, {"since": self.since()})))
         self.grow(node, kind)
         alike = [k for k in self.quantities if (k.number, k.unit) == (kind.number, kind.unit)]
         others = [k for k in alike if k != kind]
@@ -147,30 +151,25 @@ class FieldMaker(TypeMaker):
                 node["default"] = self.random.choice(known)
             elif known and self.chance(0.05) and "range" not in node:
                 node["constant"] = self.random.choice(known)
-        if self.chance(0.1) and node["name"].isidentifier():
-            node["was"] = self.unique("FORMER_NAME_")
-        if self.chance(0.1):
-            node["unconfirmed"] = True
-        if self.chance(0.1):
-            node["saved_as"] = self.random.choice((None, "saved__name", "saved{n}"))
-            node["saved_in"] = self.random.choice(("unit", "raw"))
+        if node["name"].isidentifier():
+            node |= self.perhaps(0.1, was=self.unique("FORMER_NAME_"))
+        node |= self.perhaps(0.1, unconfirmed=True)
+        saved = self.random.choice((None, "saved__name", "saved{n}"))
+        node |= self.perhaps(0.1, saved_as=saved, saved_in=self.random.choice(("unit", "raw")))
 
     def rules(self, fields: list[Node]) -> list[str]:
         """Returns a rule for two fields of the same type and number, if there are such."""
-        plain = [f for f in fields if f.get("type") in INTEGERS and f["name"].isidentifier()]
-        plain = [f for f in plain if "when" not in f and "since" not in f and "constant" not in f]
-        pairs = [
-            (one["name"], other["name"])
-            for one in plain
-            for other in plain
-            if one is not other and one["type"] == other["type"]
-        ]
         counters = {f["name"].partition("[")[2].rstrip("]") for f in fields if "name" in f}
-        pairs = [pair for pair in pairs if not set(pair) & counters]
-        if not pairs or self.chance(0.5):
-            return []
-        low, high = self.random.choice(pairs)
-        return [f"{low} {self.random.choice(('<', '<='))} {high}"]
+        plain = [f for f in fields if f.get("type") in INTEGERS and f["name"].isidentifier()]
+        plain = [f for f in plain if not {"when", "since", "constant"} & set(f)]
+        names = [(f["name"], f["type"]) for f in plain if f["name"] not in counters]
+        pairs = [
+            f"{low} {self.random.choice(('<', '<='))} {high}"
+            for low, high_type in ((one, type_) for one, type_ in names)
+            for high, type_ in names
+            if low != high and type_ == high_type
+        ]
+        return [self.random.choice(pairs)] if pairs and self.chance(0.5) else []
 
     def add_number(self, scope: Scope) -> None:
         """Adds a number, once or several times."""
@@ -200,20 +199,17 @@ class FieldMaker(TypeMaker):
 
     def add_condition_source(self, scope: Scope) -> None:
         """Adds an enum or flag set that other fields may depend on."""
-        integers = [Kind(n, SIZES[n], SIZES[n], number=n) for n in ("u8", "i16")]
         packed = [kind for kind in self.packed if kind.parts]
+        integers = [scalar("u8"), scalar("i16")]
         kind = self.random.choice(self.enums + self.flag_sets + integers + packed)
-        name = self.field_name()
-        scope.add(self.said({"name": name, "type": kind.name}), kind.least, kind.memory, True)
-        self.depend_on(scope, name, kind)
+        self.depend_on(scope, self.put(scope, kind), kind)
 
     def add_element(self, scope: Scope) -> None:
         """Adds a field of any type."""
         kind = self.element_kind(scope)
         dim, count = self.dimension(scope, kind)
-        node = self.said({"name": self.field_name() + dim, "type": kind.name})
-        if kind.number:
-            node = self.decorate(node, kind, scope)
+        node = {"name": self.field_name() + dim, "type": kind.name}
+        node = self.decorate(node, kind, scope) if kind.number else self.said(node)
         scope.add(node, kind.least * count, kind.memory * count, kind.fixed)
 
     def add_reserved(self, scope: Scope) -> None:
@@ -242,9 +238,7 @@ class FieldMaker(TypeMaker):
             word = self.random.choice(("has", "has", "any"))
             when = {key: name, word: chosen if len(chosen) > 1 else chosen[0]}
             masks = dict(kind.values)
-            used = 0
-            for flag in chosen:
-                used |= masks[flag]
+            used = sum(masks[flag] for flag in chosen)  # no two flags share a bit
             others = [flag for flag in flags if not masks[flag] & used]
             if others and self.chance(0.3):
                 when["has_not"] = self.random.choice(others)
@@ -296,35 +290,37 @@ class FieldMaker(TypeMaker):
             kind = self.element_kind(scope)
             dim, count = self.dimension(scope, kind)
             node: Node = {"name": self.field_name() + dim, "type": kind.name}
-            node["since"] = {"firmware": self.random.choice(("2.90", "2.91"))}
+            node["since"] = self.appended()
             scope.budget -= kind.least * count
             scope.add(self.said(node), 0, kind.memory * count + 4, False)
         scope.takes_rest = True
+
+    def appended(self) -> Node:
+        """Returns the version of a field before which older bodies end."""
+        return {"firmware": self.random.choice(("2.90", "2.91"))}
 
     def add_grown(self, scope: Scope, is_counted: bool) -> None:
         """Adds a list whose elements are longer in later firmware, perhaps with its counter."""
         name, number = self.field_name(), self.random.choice(UNSIGNED)
         node: Node = {"struct": self.unique("Grown")}
         if is_counted:
-            counter = self.field_name()
-            scope.add(self.said({"name": counter, "type": number}), SIZES[number], 0, True)
-            node["name"] = f"{name}[{counter}]"
-            if self.chance(0.2):
-                node["counted_from"] = 1
-            kinds = [Kind("bytes[3]", 3, 3), *(self.number_kind() for _ in range(2))]
+            node["name"] = f"{name}[{self.put(scope, scalar(number))}]"
+            node |= self.perhaps(0.2, counted_from=1)
+            kinds = [blob(3), *(self.number_kind() for _ in range(2))]
             later = [self.number_kind() for _ in range(self.random.randint(1, 3))]
         else:  # the sizes have no common multiple in a body
             node["name"] = f"{name}[]"
-            kinds, later = [Kind("bytes[19]", 19, 19)], [Kind("bytes[2]", 2, 2)]
-        inner = [self.said({"name": self.field_name(), "type": kind.name}) for kind in kinds]
+            kinds, later = [blob(19)], [blob(2)]
+        inner = Scope(scope.family, MAX_BODY, in_message=False)
+        for kind in kinds:
+            self.put(inner, kind)
         firmware = sorted(self.random.choice(("2.90", "2.91")) for _ in later)
         for kind, version in zip(later, firmware):
-            field_ = self.said({"name": self.field_name(), "type": kind.name})
-            inner.append({**field_, "since": {"firmware": version}})
+            self.put(inner, kind, since={"firmware": version})
         size = sum(kind.least for kind in kinds)
         memory = MAX_BODY // size * sum(kind.memory + 8 for kind in (*kinds, *later))
         least = size if "counted_from" in node else 0
-        scope.add(self.said({**node, "fields": inner}), least, memory, False)
+        scope.add(self.said({**node, "fields": inner.fields}), least, memory, False)
         scope.has_lists = scope.takes_rest = True
 
     def add_list(self, scope: Scope) -> None:
@@ -334,11 +330,8 @@ class FieldMaker(TypeMaker):
             return self.add_number(scope)
         if MAX_BODY // max(1, kind.least) * kind.memory > MAX_MEMORY:
             kind = self.number_kind()
-        counter, number = self.field_name(), self.random.choice(UNSIGNED)
-        node: Node = {"name": counter, "type": number}
-        if self.chance(0.5):
-            node["range"] = f"0..{self.random.choice((1, 2, 3))}"
-        scope.add(self.said(node), SIZES[number], 0, True)
+        limits = self.perhaps(0.5, range=f"0..{self.random.choice((1, 2, 3))}")
+        counter = self.put(scope, scalar(self.random.choice(UNSIGNED)), **limits)
         if self.chance(0.2):
             self.add_number(scope)
         node = self.said({"name": f"{self.field_name()}[{counter}]", "type": kind.name})
@@ -391,8 +384,7 @@ class FieldMaker(TypeMaker):
         values = {name: self.said({"value": 1 << bit}) for bit, name in enumerate(names)}
         node = self.sourced({"type": number, "values": values})
         self.section(scope.family, "flags")[flags] = node
-        source = self.field_name()
-        scope.add(self.said({"name": source, "type": flags}), 2, 2, True)
+        source = self.put(scope, Kind(flags, 2, 2))
         inner: list[Node] = []
         least = 0
         for _ in range(self.random.randint(1, 4)):
@@ -436,12 +428,9 @@ class FieldMaker(TypeMaker):
     def add_variable_value(self, scope: Scope) -> None:
         """Adds the value of an adjustable variable."""
         if not scope.variables:
-            scope.variables.append(self.field_name())
-            node = {"name": scope.variables[-1], "type": "VariableId"}
-            scope.add(self.said(node), 1, 1, True)
-        name, number = self.field_name(), self.random.choice(list(INTEGERS))
-        node = {"name": name, "type": number, "variable": self.random.choice(scope.variables)}
-        scope.add(self.said(node), SIZES[number], SIZES[number], True)
+            scope.variables.append(self.put(scope, Kind("VariableId", 1, 1)))
+        kind = scalar(self.random.choice(list(INTEGERS)))
+        self.put(scope, kind, variable=self.random.choice(scope.variables))
 
     def add_region(self, scope: Scope) -> None:
         """Adds bytes whose meaning depends on preceding fields."""
@@ -457,7 +446,7 @@ class FieldMaker(TypeMaker):
         inner = Scope(scope.family, 99, in_message=False, depth=9, known=known)
         left = size  # several conditions may be true at once
         for _ in range(self.random.randint(1, 3)):
-            kind = self.number_kind() if self.chance(0.7) else Kind("bytes[2]", 2, 2)
+            kind = self.number_kind() if self.chance(0.7) else blob(2)
             if kind.least > left:
                 continue
             left -= kind.least
@@ -465,8 +454,7 @@ class FieldMaker(TypeMaker):
             node: Node = {"name": name, "type": kind.name, "when": self.condition(inner)}
             inner.fields.append(self.decorate(node, kind, inner))
         if not inner.fields:
-            only: Node = {"name": "ONLY", "type": "u8", "when": self.condition(inner)}
-            inner.fields.append(self.said(only))
+            self.put(inner, scalar("u8"), when=self.condition(inner))
         node = {"name": self.field_name(), "struct": self.unique("Region"), "size": size}
         scope.add(self.said({**node, "fields": inner.fields}), size, 50, True)
         scope.has_region = True
@@ -475,11 +463,10 @@ class FieldMaker(TypeMaker):
         """Adds a field that takes the remaining body."""
         node: Node = {"name": self.field_name(), "type": "bytes[]"}
         if self.chance(0.15) and scope.budget >= 24:  # fields of which the last may be missing
-            kind = self.number_kind()
-            node = {"name": node["name"] + "_{1..3}", "type": kind.name}
-            node["min_count"] = self.random.randint(1, 3)
-            scope.add(self.said(node), node["min_count"] * kind.least, 3 * kind.memory + 1, False)
-            scope.takes_rest = True
+            least = self.random.randint(1, 3)
+            self.put(scope, self.number_kind(), "_{1..3}", least, min_count=least)
+            scope.memory += 25
+            scope.fixed, scope.takes_rest = False, True
             return
         structs = [k for k in self.structs if k.fixed and k.least and self.can_use(scope, k)]
         what = self.random.random()
@@ -499,11 +486,11 @@ class FieldMaker(TypeMaker):
                 kind = Kind(self.random.choice(("string[5]", "string")), 1, 50, fixed=False)
             kind = self.random.choice(structs) if structs and self.chance(0.3) else kind
             node = {"name": node["name"] + "[]", "type": kind.name}
-            if kind.name.startswith(("string", "text", "bytes")) and self.chance(0.5):
-                node["secret"] = True
+            if kind.name.startswith(("string", "text", "bytes")):
+                node |= self.perhaps(0.5, secret=True)
             least = kind.least
-        if self.chance(0.5) and scope.budget >= 3 * least:
-            node["max_count"] = self.random.choice((1, 2, 3))
+        if scope.budget >= 3 * least:
+            node |= self.perhaps(0.5, max_count=self.random.choice((1, 2, 3)))
         if self.chance(0.3) and "align" not in node and scope.budget >= 3 * least:
             node["min_count"] = self.random.randint(1, node.get("max_count", 3))
         scope.add(self.said(node), node.get("min_count", 0) * least, MAX_BODY, False)

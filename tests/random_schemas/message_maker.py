@@ -6,7 +6,8 @@ from dataclasses import replace
 from typing import Any, Optional
 
 from field_maker import FieldMaker
-from spec_parts import INTEGERS, MAX_BODY, MAX_MEMORY, SIZES, UNSIGNED, Body, Node, Scope
+from spec_parts import INTEGERS, MAX_BODY, MAX_MEMORY, SIZES, UNSIGNED
+from spec_parts import Body, Kind, Node, Scope, blob, scalar
 from type_maker import TEXTS
 
 
@@ -15,10 +16,10 @@ class MessageMaker(FieldMaker):
 
     def make_messages(self) -> None:
         """Makes commands of all kinds; those that others depend on come first."""
-        for _ in range(2):
-            self.add_flag_source()
-        for _ in range(self.random.randint(1, 2)):
-            self.add_announcement()
+        for maker in [self.add_flag_source] * 2 + [self.add_announcement] * self.random.randint(
+            1, 2
+        ):
+            maker()
         makers = [self.add_forms, self.add_both_ways, self.add_same, self.add_including]
         makers += [self.add_dependent, self.add_gaps, self.add_records, self.add_settings]
         makers += [self.add_asked]
@@ -56,20 +57,16 @@ class MessageMaker(FieldMaker):
         name = f"CMD_C{self.unique('')}"
         family = self.random.choice(order[order.index(family) if family else 0 :])
         node = self.said({"id": identity})
-        if self.chance(0.1):
-            node["as"] = self.unique("called_")
-        if self.chance(0.2):
-            node["since"] = self.since()
-        if self.chance(0.2):
-            node["deprecated"] = self.random.choice((True, {"since": self.since()}))
+        deprecated = self.random.choice((True, {"since": self.since()}))
+        node |= self.perhaps(0.1, **{"as": self.unique("called_")})
+        node |= self.perhaps(0.2, since=self.since()) | self.perhaps(0.2, deprecated=deprecated)
         self.section(family, "commands")[name] = node
         return name, family, node
 
     def side(self, direction: str, name: str, content: Node, scope: Optional[Scope] = None) -> Node:
         """Returns one direction of a command: a message called `name` with the fields of `scope`."""
         node = self.sourced({**content, "as": name})
-        if self.chance(0.2):
-            node["description"] = self.random.choice(TEXTS)
+        node |= self.perhaps(0.2, description=self.random.choice(TEXTS))
         if direction == "to_board":
             node["effect"] = self.effect(scope)
             node["answer"] = self.answer(scope)
@@ -78,27 +75,39 @@ class MessageMaker(FieldMaker):
             node["role"] = {"is": "reset", "delay_ms": 20}
         return node
 
+    def begin(self, budget: int = 150) -> tuple[Node, str, Scope]:
+        """Starts a command in one direction, which end() completes."""
+        direction = self.either()
+        _, family, node = self.new_command(direction)
+        return node, direction, self.scope(family, budget)
+
+    def end(self, node: Node, direction: str, word: str, scope: Scope, **content: Any) -> str:
+        """Adds the message with the fields of `scope` to a command; returns its name."""
+        name = self.unique(word)
+        node[direction] = self.side(direction, name, {**content, "fields": scope.fields})
+        self.add_body(name, scope, direction, "context" in content)
+        return name
+
+    def case(self, scope: Optional[Scope], without: float) -> Optional[Node]:
+        """Returns a condition on the fields of a request, or None with this probability."""
+        if scope is None or not scope.known or self.chance(without):
+            return None
+        return self.condition(replace(scope, contexts=[]))
+
     def effect(self, scope: Optional[Scope] = None) -> Any:
         """Returns the effect of a request, perhaps under a condition on the fields of `scope`."""
         words = ["sets", "stores", "moves", "restarts", "erases", "disconnects"]
         several = self.random.sample(words, self.random.randint(1, 3))
-        if scope is None or not scope.known or self.chance(0.5):
-            return self.random.choice(("reads", several))
-        when = self.condition(replace(scope, contexts=[]))
+        when = self.case(scope, 0.5)
         if when is None:
-            return several
-        when.pop("may_be_missing", None)
+            return self.random.choice(("reads", several))
         return [{"when": when, "does": several}, {"does": "reads"}]
 
     def answer(self, scope: Optional[Scope] = None) -> Any:
         """Returns a response policy, perhaps under a condition on the fields of `scope`."""
-        plain = self.plain_answer()
-        if scope is None or not scope.known or self.chance(0.3):
-            return plain
-        when = self.condition(replace(scope, contexts=[]))
+        plain, when = self.plain_answer(), self.case(scope, 0.3)
         if when is None:
             return plain
-        when.pop("may_be_missing", None)
         other = self.plain_answer()
         first = {"confirm": self.uncertain()} if other == "none" else other
         return [{"when": when, **first}, plain]
@@ -133,8 +142,7 @@ class MessageMaker(FieldMaker):
             scope = self.random_scope(family)
             name = self.unique("Message")
             content: Node = {"fields": scope.fields} if scope.fields else {}
-            if self.chance(0.3):
-                content["tail"] = self.random.choice(("keep", "refuse"))
+            content |= self.perhaps(0.3, tail=self.random.choice(("keep", "refuse")))
             if not scope.fixed and self.chance(0.2):
                 content["max_size"] = MAX_BODY
             if scope.fixed and scope.least and self.chance(0.3):
@@ -142,8 +150,7 @@ class MessageMaker(FieldMaker):
             rules = self.rules(scope.fields)
             if rules:
                 content["rules"] = rules
-            if self.chance(0.1):
-                content["unconfirmed"] = True
+            content |= self.perhaps(0.1, unconfirmed=True)
             node[direction] = self.side(direction, name, content, scope)
             if self.chance(0.5):  # named after the command
                 del node[direction]["as"]
@@ -155,10 +162,8 @@ class MessageMaker(FieldMaker):
         """States the size of the body in every firmware: its last fields had no names before."""
         content["size"] = scope.least
         kind = self.number_kind()
-        more = self.said({"name": self.field_name(), "type": kind.name})
-        more["since"] = {"firmware": self.random.choice(("2.90", "2.91"))}
         if kind.least <= scope.budget:
-            scope.add(more, kind.least, kind.memory, True)
+            self.put(scope, kind, since=self.appended())
             content["size"] += kind.least
 
     def add_forms(self) -> None:
@@ -175,8 +180,7 @@ class MessageMaker(FieldMaker):
             scope = self.scope(family, 60)
             wanted = size + 1
             if wanted:  # larger than all previous forms
-                longer = self.said({"name": self.field_name(), "type": f"bytes[{wanted}]"})
-                scope.add(longer, wanted, wanted, True)
+                self.put(scope, blob(wanted))
             self.make_fields(scope, self.random.randint(0, 6 if last else 2))
             if last and self.chance(0.4):
                 self.add_rest(scope)
@@ -207,13 +211,9 @@ class MessageMaker(FieldMaker):
         for length, form in enumerate(self.random.sample(("simple", "extended", "success"), 2), 1):
             names = {direction: self.unique("Asked") for direction in forms}
             scopes = {direction: self.scope(family, 60) for direction in forms}
-            for direction, type_ in (
-                ("from_board", self.random.choice(types)),
-                ("to_board", f"bytes[{length}]"),
-            ):
-                field = self.said({"name": self.field_name(), "type": type_})
-                least = size if direction == "from_board" else length
-                scopes[direction].add(field, least, least, True)
+            kinds = {"from_board": scalar(self.random.choice(types)), "to_board": blob(length)}
+            for direction, kind in kinds.items():
+                self.put(scopes[direction], kind)
                 content = self.said({"fields": scopes[direction].fields, "as": names[direction]})
                 if direction == "to_board":
                     content["effect"] = "reads"
@@ -244,32 +244,24 @@ class MessageMaker(FieldMaker):
 
     def add_gaps(self) -> None:
         """Adds a message with optional values before bytes that could be mistaken for them."""
-        direction = self.either()
-        _, family, node = self.new_command(direction)
-        scope = self.scope(family)
+        node, direction, scope = self.begin()
         self.add_condition_source(scope)
         for _ in range(self.random.randint(1, 3)):
             when = {**(self.condition(scope) or {}), "may_be_missing": True}
             kind = self.number_kind() if self.chance(0.7) else self.blob_kind()
             gap = self.said({"name": self.field_name(), "type": kind.name, "when": when})
             scope.add(gap, 0, kind.memory + 4, False)
-        scope.add(self.said({"name": self.field_name(), "type": "bytes[]"}), 0, MAX_BODY, False)
+        self.put(scope, Kind("bytes[]", 0, MAX_BODY, fixed=False))
         scope.takes_rest = True
-        name = self.unique("Gaps")
-        node[direction] = self.side(direction, name, {"fields": scope.fields})
-        self.add_body(name, scope, direction)
+        self.end(node, direction, "Gaps", scope)
 
     def add_records(self) -> None:
         """Adds messages that end with a list whose elements grew: one with a counter, and one without."""
         for is_counted in (True, False):
-            direction = self.either()
-            _, family, node = self.new_command(direction)
-            scope = self.scope(family)
+            node, direction, scope = self.begin()
             self.make_fields(scope, self.random.randint(0, 3))
             self.add_grown(scope, is_counted)
-            name = self.unique("Records")
-            node[direction] = self.side(direction, name, {"fields": scope.fields})
-            self.add_body(name, scope, direction)
+            self.end(node, direction, "Records", scope)
 
     def add_including(self) -> None:
         """Adds a message that includes another."""
@@ -306,38 +298,27 @@ class MessageMaker(FieldMaker):
 
     def add_flag_source(self) -> None:
         """Adds a message with the flags that other messages depend on."""
-        direction = self.either()
-        _, family, node = self.new_command(direction)
+        node, direction, scope = self.begin(40)
         kind = self.random.choice(
             self.flag_sets if self.chance(0.7) else self.enums or self.flag_sets
         )
-        scope = self.scope(family, 40)
         self.make_fields(scope, self.random.randint(0, 2))
-        told, name = self.field_name(), self.unique("Source")
-        flags = self.said({"name": told, "type": kind.name})
-        path = f"{name}.{told}"
         if self.chance(0.4):
-            group = self.field_name()
-            inner = {"name": group, "struct": self.unique("Group"), "fields": [flags]}
-            scope.add(self.said(inner), kind.least, kind.memory, True)
-            path = f"{name}.{group}.{told}"
+            group, inner = self.field_name(), self.scope(scope.family)
+            path = f"{group}.{self.put(inner, kind)}"
+            struct = {"name": group, "struct": self.unique("Group"), "fields": inner.fields}
+            scope.add(self.said(struct), kind.least, kind.memory, True)
         else:
-            scope.add(flags, kind.least, kind.memory, True)
+            path = self.put(scope, kind)
         if self.chance(0.5):
             self.make_fields(scope, 2)
-        node[direction] = self.side(direction, name, {"fields": scope.fields})
-        self.add_body(name, scope, direction)
-        self.sources.append((path, kind))
+        name = self.end(node, direction, "Source", scope)
+        self.sources.append((f"{name}.{path}", kind))
 
     def add_announcement(self) -> None:
         """Adds a message that announces the types of numbers in others."""
-        direction = self.either()
-        _, family, node = self.new_command(direction)
-        name, enum_name, list_name = (
-            self.unique("Announcing"),
-            self.unique("Wire"),
-            self.field_name(),
-        )
+        node, direction, scope = self.begin(40)
+        enum_name, list_name = self.unique("Wire"), self.field_name()
         wires = self.random.sample(sorted(SIZES), self.random.choice((3, 7)))
         values: Node = {
             self.unique("WIRE_"): self.said({"value": number, "wire": wire})
@@ -345,17 +326,15 @@ class MessageMaker(FieldMaker):
         }
         if self.chance(0.5):
             values[self.unique("WIRE_")] = self.said({"value": 7})
-        section = self.section(family, "enums")
+        section = self.section(scope.family, "enums")
         section[enum_name] = self.sourced({"type": "u8", "values": values})
         kind, kind_name = enum_name, self.field_name()
         path = kind_name
         if self.chance(0.5):
-            part, shift = self.unique("part_"), self.random.choice((0, 3, 5))
-            parts = [
-                self.said({"name": part, "bits": f"{shift}..{shift + 2}", "type": enum_name}, False)
-            ]
-            kind = self.add_packed("u8", {"type": "u8", "parts": parts}).name
-            path = f"{kind_name}.{part}"
+            shift = self.random.choice((0, 3, 5))
+            part = self.part(bits=f"{shift}..{shift + 2}", type=enum_name)
+            kind = self.add_packed("u8", {"type": "u8", "parts": [part]}).name
+            path = f"{kind_name}.{part['name']}"
         count = self.field_name()
         fields = [
             self.said({"name": kind_name, "type": kind}),
@@ -363,52 +342,39 @@ class MessageMaker(FieldMaker):
             self.said({"name": self.field_name(), "type": self.random.choice(("string", "i16"))}),
         ]
         self.random.shuffle(fields)
-        scope = self.scope(family, 40)
-        counter = self.field_name()
-        scope.add(self.said({"name": counter, "type": "u8"}), 1, 1, True)
+        counter = self.put(scope, scalar("u8"))
         entry = {"name": f"{list_name}[{counter}]", "struct": self.unique("Element")}
         scope.add(self.said({**entry, "fields": fields}), 0, MAX_MEMORY, False)
         scope.has_lists = True
-        node[direction] = self.side(direction, name, {"fields": scope.fields})
-        self.add_body(name, scope, direction)
+        name = self.end(node, direction, "Announcing", scope)
         context = {"announced_by": f"{name}.{list_name}", "kind": path, "count": count}
         self.announced.append(context)
 
     def add_dependent(self) -> None:
         """Adds a message whose decoding depends on earlier ones."""
-        direction = self.either()
-        _, family, node = self.new_command(direction)
-        scope = self.scope(family)
+        node, direction, scope = self.begin()
         contexts = []
         if self.chance(0.7):
             path, kind = self.random.choice(self.sources)
             same = [other for other, its in self.sources if its == kind and other != path]
-            context: Node = {
-                "name": self.unique("CONTEXT_"),
-                "type": kind.name,
-                "from": [path, *same],
-            }
-            contexts.append(self.said(context, False))
-            scope.contexts.append((context["name"], kind))
+            name = self.unique("CONTEXT_")
+            told = {"name": name, "type": kind.name, "from": [path, *same]}
+            contexts.append(self.said(told, False))
+            scope.contexts.append((name, kind))
         self.make_fields(scope, 3)
         if scope.contexts:
-            name = self.field_name()
-            node_ = {"name": name, "type": "u16", "when": self.condition(replace(scope, known=[]))}
-            scope.add(self.said(node_), 0, 4, False)
+            when = self.condition(replace(scope, known=[]))
+            self.put(scope, Kind("u16", 0, 4, fixed=False), when=when)
         for _ in range(self.random.randint(0, 4)):
             self.add_conditional(scope)
         if self.announced and (not contexts or self.chance(0.5)):
             context = {"name": self.unique("TYPES_"), **self.random.choice(self.announced)}
             contexts.append(self.said(context, False))
-            node_ = {"name": f"{self.field_name()}[]", "type": f"announced({context['name']})"}
-            scope.add(self.said(node_), 0, 8 * MAX_BODY, False)
+            self.put(scope, Kind(f"announced({context['name']})", 0, 8 * MAX_BODY, False), "[]")
             scope.takes_rest = True
         elif self.chance(0.3):
             self.add_rest(scope)
-        name = self.unique("Dependent")
-        content = {"context": contexts, "fields": scope.fields}
-        node[direction] = self.side(direction, name, content)
-        self.add_body(name, scope, direction, has_contexts=True)
+        self.end(node, direction, "Dependent", scope, context=contexts)
 
     def add_settings(self) -> None:
         """Adds settings that can be read and stored: of the whole board, or several copies of them."""
@@ -425,15 +391,13 @@ class MessageMaker(FieldMaker):
         for step, role in enumerate(roles):
             self.add_marked(scope, role)
             if copy and step == copied_at:
-                field_ = self.said({"name": self.field_name(), **copy})
-                scope.add(field_, SIZES[copy["type"]], SIZES[copy["type"]], True)
+                self.put(scope, scalar(copy["type"]), **copy)
             self.make_fields(scope, self.random.randint(0, 2))
         if self.chance(0.3):
             self.add_rest(scope)
+        tail = self.perhaps(0.3, tail="keep")
         name = self.unique("Settings")
-        node["from_board"] = self.side("from_board", name, {"fields": scope.fields})
-        if self.chance(0.3):
-            node["from_board"]["tail"] = "keep"
+        node["from_board"] = self.side("from_board", name, {**tail, "fields": scope.fields})
         asked = [self.said({"name": self.field_name(), **copy})] if copy else []
         content: Node = {"fields": asked} if asked else {}
         node["to_board"] = self.side("to_board", self.unique("AskingFor"), content)

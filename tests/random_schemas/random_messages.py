@@ -38,8 +38,7 @@ def lines_of(layout: Layout, seed: int, count: int) -> Iterator[str]:
     for message in layout.messages:
         maker = RandomMessages(message, chosen)
         for _ in range(count):
-            vector = maker.vector()
-            if vector is not None:
+            if (vector := maker.vector()) is not None:
                 yield line(vector, forms)
     for _ in range(count):
         direction, number = chosen.choice(("from_board", "to_board")), chosen.randrange(256)
@@ -158,8 +157,7 @@ class RandomMessages:
             more = self.random.randint(0, min(9, self.message.room - len(body)))
             return body + self.random.randbytes(more), "with more after it"
         if kind == 3:
-            size = self.random.randint(0, self.message.room)
-            return self.random.randbytes(size), "noise"
+            return self.random.randbytes(self.random.randint(0, self.message.room)), "noise"
         if kind == 4:
             size = self.random.randint(self.message.min_size, self.message.max_size)
             return bytes(self.random.randrange(4) for _ in range(size)), "small numbers"
@@ -231,9 +229,8 @@ class _Mutator:
                 return self.random.randbytes(member.type.size or 0).hex()
             assert member.type.size is not None
             size = self.random.choice((0, 1, member.type.size, self.random.randint(0, 20)))
-            return "".join(
-                self.random.choice("aZ~\x01\x7f") for _ in range(min(size, member.type.size))
-            )
+            size = min(size, member.type.size)
+            return "".join(self.random.choice("aZ~\x01\x7f") for _ in range(size))
         return self.number(member.type)
 
     def number(self, type_: Any) -> Any:
@@ -244,15 +241,8 @@ class _Mutator:
             return self.random.choice((0.0, -0.0, 1.5, "inf", nan, 16777216.0))
         if isinstance(type_, Enum) and type_.values and self.random.random() < 0.7:
             return self.random.choice(type_.values).value
-        number = self.random.choice(
-            (
-                0,
-                1,
-                scalar.minimum,
-                scalar.maximum,
-                self.random.randint(scalar.minimum, scalar.maximum),
-            )
-        )
+        low, high = scalar.minimum, scalar.maximum
+        number = self.random.choice((0, 1, low, high, self.random.randint(low, high)))
         return integer_of(number, scalar.size)
 
 
@@ -262,9 +252,8 @@ def settings_lines_of(layout: Layout, seed: int, count: int) -> Iterator[str]:
     for settings in layout.settings:
         maker = RandomMessages(settings.message, chosen)
         for _ in range(count):
-            yield json.dumps(
-                plain(_settings_line(settings, _valid_fields(maker), _valid_fields(maker)))
-            ) + "\n"
+            made = _settings_line(settings, _valid_fields(maker), _valid_fields(maker))
+            yield json.dumps(plain(made)) + "\n"
 
 
 def _valid_fields(maker: RandomMessages) -> Fields:

@@ -121,16 +121,8 @@ class Trial:
             if step.returncode:
                 told = [text for text in errors.splitlines() if "error:" in text]
                 raise Failure("it does not compile:\n" + "\n".join(told[:5] or [errors[:2000]]))
-        linked = [
-            compiler,
-            *flags,
-            *objects,
-            "-o",
-            "program",
-            "-lgtest",
-            "-lgtest_main",
-            "-pthread",
-        ]
+        libraries = ["-lgtest", "-lgtest_main", "-pthread"]
+        linked = [compiler, *flags, *objects, "-o", "program", *libraries]
         subprocess.run(linked, cwd=self.folder, check=True)
 
     def compare(self) -> None:

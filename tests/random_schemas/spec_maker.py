@@ -81,9 +81,8 @@ class SpecMaker(MessageMaker):
         self.add_number(scope)
         for kind in self.structs:
             if kind.name.startswith("Struct") and kind.name not in used:
-                field_ = self.said({"name": self.field_name(), "type": kind.name})
-                scope.add(field_, kind.least, kind.memory, kind.fixed)
-        node["to_board"] = self.side("to_board", self.unique("Using"), {"fields": scope.fields})
+                self.put(scope, kind)
+        self.end(node, "to_board", "Using", scope)
 
     def drop_unused(self) -> None:
         """Removes types that nothing refers to, which would be findings."""

@@ -47,6 +47,17 @@ class Kind:
     is_count: bool = False
 
 
+def scalar(name: str) -> Kind:
+    """Returns the type of a plain number."""
+    least, memory = WIDE.get(name) or (SIZES[name], SIZES[name])
+    return Kind(name, least, memory, number=name if name in SIZES else "")
+
+
+def blob(size: int, kind: str = "bytes") -> Kind:
+    """Returns the type of some bytes, or of a text."""
+    return Kind(f"{kind}[{size}]", size, size)
+
+
 @dataclass
 class Scope:
     """A list of fields under construction.

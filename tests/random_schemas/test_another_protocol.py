@@ -51,13 +51,17 @@ def made_by_the_guide(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
+def compile_(folder: Path, *arguments: str, includes: list[Path]) -> None:
+    """Runs the compiler in a folder, with the headers of the library."""
+    command = [*shlex.split(LAUNCHER), COMPILER, "-std=c++20", *WARNINGS]
+    command += [f"-I{path}" for path in (*includes, *ROOT.glob("runtime/*/include"))]
+    subprocess.run([*command, *arguments], cwd=folder, check=True)
+
+
 def run(source: str, folder: Path) -> str:
     """Compiles a program that includes the single header; returns what it prints."""
     (folder / "program.cpp").write_text(source, encoding="utf-8")
-    includes = [folder, ROOT / "generated/include", *ROOT.glob("runtime/*/include")]
-    command = [*shlex.split(LAUNCHER), COMPILER, "-std=c++20", *WARNINGS]
-    command += [f"-I{path}" for path in includes]
-    subprocess.run([*command, "program.cpp", "-o", "program"], cwd=folder, check=True)
+    compile_(folder, "program.cpp", "-o", "program", includes=[folder, ROOT / "generated/include"])
     done = subprocess.run([folder / "program"], capture_output=True, text=True, check=True)
     return done.stdout
 
@@ -137,23 +141,15 @@ packed:
 """
     layout = load_protocol(write_spec(tmp_path, more=more)).layout
     Output(tmp_path / "generated", outputs(layout, tmp_path)).write()
-    folders = (tmp_path / "generated/include", *ROOT.glob("runtime/*/include"))
-    command = [
-        *shlex.split(LAUNCHER),
-        COMPILER,
-        "-std=c++20",
-        *WARNINGS,
-        "-Wno-unused",
-        "-fsyntax-only",
-    ]
+    includes = [tmp_path / "generated/include"]
     for message in (m for m in layout.messages if m.name in ("Pose", "SetPose")):
         code = target("cpp").examples(example_of(message, layout))[-1]
         assert "tilt" in code.text
-        source = tmp_path / "example.cpp"
         heads = [line for line in code.text.splitlines() if line.startswith("#include")]
         steps = [line for line in code.text.splitlines() if line not in heads]
-        source.write_text("\n".join((*heads, "int main() {", *steps, "}\n")), encoding="utf-8")
-        subprocess.run([*command, *(f"-I{f}" for f in folders), str(source)], check=True)
+        program = "\n".join((*heads, "int main() {", *steps, "}\n"))
+        (tmp_path / "example.cpp").write_text(program, encoding="utf-8")
+        compile_(tmp_path, "-Wno-unused", "-fsyntax-only", "example.cpp", includes=includes)
 
 
 def test_names_are_those_of_the_protocol(lamp: Path) -> None:

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import random
-from typing import Optional
+from dataclasses import replace
+from typing import Any, Optional
 
-from spec_parts import INTEGERS, SIZES, UNSIGNED, WIDE, Body, Kind, Node
+from spec_parts import INTEGERS, SIZES, UNSIGNED, WIDE, Body, Kind, Node, scalar
 
 # Names that must not break the generated code: its locals and parameters, and names of the runtime.
 AWKWARD = """OUT IN READER WRITER BODY VALUE DATA SIZE STATUS RAW TO FROM REST N M T CONTEXT VISITOR
@@ -39,16 +40,18 @@ class TypeMaker:
         self.bodies: list[Body] = []
         self.sources: list[tuple[str, Kind]] = []
         self.announced: list[Node] = []
-        self.ids: dict[str, list[int]] = {}
-        for direction in ("from_board", "to_board"):
-            ids = self.random.sample(range(1, 256), 200)
-            self.ids[direction] = ids
+        directions = ("from_board", "to_board")
+        self.ids = {way: self.random.sample(range(1, 256), 200) for way in directions}
 
     # Helpers
 
     def chance(self, share: float) -> bool:
         """Returns True with probability `share`."""
         return self.random.random() < share
+
+    def perhaps(self, share: float, **keys: Any) -> Node:
+        """Returns these keys with probability `share`, else none."""
+        return keys if self.chance(share) else {}
 
     def unique(self, word: str) -> str:
         """Returns a unique name."""
@@ -110,29 +113,17 @@ class TypeMaker:
         name = self.unique("Quantity")
         scales = (1, 5, "1/3", "360/16384", "0.02", "0.000000001", "123456789012/7")
         offsets = (0, "-1/2", "0.1", "-12345", "1/3")
-        unit, accessor = self.random.choice(
-            (
-                (None, "value"),
-                (None, "degrees"),
-                ("deg", "degrees"),
-                ("°C", "value"),
-                ("a/b", "in_words"),
-            )
-        )
-        node = {
-            "type": number,
-            "unit": unit,
-            "accessor": accessor,
-            "scale": self.random.choice(scales),
-            "offset": self.random.choice(offsets),
-        }
+        units = [(None, "value"), (None, "degrees"), ("deg", "degrees"), ("°C", "value")]
+        unit, accessor = self.random.choice([*units, ("a/b", "in_words")])
+        scaled = {"scale": self.random.choice(scales), "offset": self.random.choice(offsets)}
+        node: Node = {"type": number, "unit": unit, "accessor": accessor, **scaled}
         if number in INTEGERS and SIZES[number] <= 2 and self.chance(0.3):
             steps = ((52, 255), ("3/2", 40)) if SIZES[number] == 1 else (("3/2", 40000), (7, 65535))
             ratio, over = self.random.choice(steps)
             node["exponential"] = {"ratio": ratio, "over": over}
         self.section(self.any_family(), "quantities")[name] = self.said(node)
-        least, memory = WIDE.get(number) or 2 * (SIZES[number],)
-        return Kind(name, least, memory, number=number, is_quantity=True, unit=unit)
+        kind = replace(scalar(number), name=name, number=number)
+        return replace(kind, is_quantity=True, unit=unit)
 
     def make_enum(self, number: str, highest: Optional[int] = None) -> Kind:
         """Makes an enum with the extremes of its type; no value exceeds `highest`."""
@@ -142,7 +133,7 @@ class TypeMaker:
         chosen = sorted(values)
         self.random.shuffle(chosen)
         named = self.make_values(name, number, "enums", chosen)
-        return Kind(name, SIZES[number], SIZES[number], number=number, values=named)
+        return replace(scalar(number), name=name, values=named)
 
     def make_flags(self, number: str, bits: Optional[int] = None) -> Kind:
         """Makes a flag set in the lowest `bits`: some flags have several bits, one may have none."""
@@ -156,8 +147,12 @@ class TypeMaker:
             bit += width
         masks = masks if any(masks) else [1 << (bits - 1)]
         name = self.unique(self.random.choice(("Flag{}s", "Flags{}")).format(self.unique("")))
+        return self.flag_set(name, number, masks)
+
+    def flag_set(self, name: str, number: str, masks: list[int]) -> Kind:
+        """Makes a flag set with these flags."""
         named = self.make_values(name, number, "flags", masks)
-        return Kind(name, SIZES[number], SIZES[number], True, number, named, True)
+        return replace(scalar(number), name=name, values=named, is_flags=True)
 
     def make_values(
         self, name: str, number: str, section: str, values: list[int]
@@ -167,21 +162,16 @@ class TypeMaker:
         content: Node = {}
         for value in values:
             key = self.unique(self.random.choice((prefix, "OTHER-" if self.chance(0.1) else "V")))
-            content[key] = self.said({"value": value})
-            if "-" in key:
-                content[key]["as"] = self.unique("other_name_")
-            if self.chance(0.2):
-                content[key]["ours"] = True
-            if self.chance(0.2):
-                content[key]["since"] = self.since()
-            elif self.chance(0.1):
-                content[key]["before"] = {"firmware": "2.60", "summary": "Something else."}
-            if self.chance(0.1):
-                content[key]["was"] = self.unique("FORMER_VALUE_")
-            if self.chance(0.1):
-                content[key]["unconfirmed"] = True
-            if self.chance(0.1):
-                content[key]["saved_as"] = "savedValue"
+            before = {"firmware": "2.60", "summary": "Something else."}
+            content[key] = {
+                **self.said({"value": value}),
+                **({"as": self.unique("other_name_")} if "-" in key else {}),
+                **self.perhaps(0.2, ours=True),
+                **(self.perhaps(0.2, since=self.since()) or self.perhaps(0.1, before=before)),
+                **self.perhaps(0.1, was=self.unique("FORMER_VALUE_")),
+                **self.perhaps(0.1, unconfirmed=True),
+                **self.perhaps(0.1, saved_as="savedValue"),
+            }
         node = {"type": number, "values": content}
         if self.chance(0.5) and any(key.startswith(prefix) for key in content):
             node["prefix"] = prefix
@@ -213,12 +203,9 @@ class TypeMaker:
         if type_ is not None:
             return type_
         most = (1 << width) - 1
-        if "signed" in part:
-            limits = (-(most // 2) - 1, most // 2)
-        elif "sign" in part:
-            limits = (-(most >> 1), most >> 1)
-        else:
-            limits = (0, most)
+        limits = (0, most)
+        if {"signed", "sign"} & set(part):
+            limits = (-(most >> 1) - ("signed" in part), most >> 1)
         is_in_place = "mask" in part  # the number is not shifted
         shift = (part["mask"] & -part["mask"]).bit_length() - 1 if is_in_place else 0
         is_plain = shift == 0 and not {"signed", "sign"} & set(part)
@@ -226,16 +213,16 @@ class TypeMaker:
 
     def make_wide_packed(self) -> Kind:
         """Makes a packed integer of 64 bits."""
-        parts: list[Node] = [
-            {"bits": "0..18", "sign": 19},
-            {"bits": "20..39", "signed": True, "type": self.make_quantity("i32").name},
-            {"bits": "40..63"},
+        parts = [
+            self.part(bits="0..18", sign=19),
+            self.part(bits="20..39", signed=True, type=self.make_quantity("i32").name),
+            self.part(bits="40..63"),
         ]
-        named = [self.said({"name": self.unique("part_"), **part}, False) for part in parts]
-        name = self.unique("Packed")
-        node = self.sourced({"type": "u64", "parts": named})
-        self.section(self.any_family(), "packed")[name] = node
-        return Kind(name, 8, 8)
+        return self.add_packed("u64", {"type": "u64", "parts": parts})
+
+    def part(self, name: str = "", **keys: Any) -> Node:
+        """Returns a part of a packed integer."""
+        return self.said({"name": name or self.unique("part_"), **keys}, False)
 
     def make_part(self, number: str, bit: int, width: int) -> Node:
         """Makes a part of an integer, `width` bits from `bit` on."""
@@ -265,39 +252,34 @@ class TypeMaker:
 
     def make_flags_in_place(self, number: str, bit: int, width: int) -> Kind:
         """Makes flags at some bits of an integer."""
-        name = self.unique("Upper")
         masks = [1 << (bit + self.random.randrange(width))]
-        named = self.make_values(name, number, "flags", masks)
-        return Kind(name, SIZES[number], SIZES[number], True, number, named, True)
+        return self.flag_set(self.unique("Upper"), number, masks)
 
     def make_digits(self) -> Kind:
         """Makes decimal digits in one integer."""
         number = self.random.choice(UNSIGNED)
+        high, middle, low = (self.unique(word) for word in ("high_", "middle_", "low_"))
         parts = [
-            self.said({"name": self.unique("high_"), "divide": 10}, False),
-            self.said({"name": self.unique("middle_"), "divide": 10, "modulo": 10}, False),
-            self.said({"name": self.unique("low_"), "modulo": 10}, False),
+            self.part(high, divide=10),
+            self.part(middle, divide=10, modulo=10),
+            self.part(low, modulo=10),
         ]
         for part in parts[1:]:
             self.parts[part["name"]] = Kind("", 0, 0, number=number, limits=(0, 9))
-        display = "{%s}.{%s:02}" % (parts[0]["name"], parts[2]["name"])
+        display = "{%s}.{%s:02}" % (high, low)
         return self.add_packed(number, {"type": number, "display": display, "parts": parts})
 
     def make_versions(self) -> None:
         """Makes the format of versions."""
         parts = [
-            self.said({"name": "major", "divide": 1000}, False),
-            self.said({"name": "minor", "divide": 10, "modulo": 100}, False),
-            self.said({"name": "beta", "modulo": 10}, False),
+            self.part("major", divide=1000),
+            self.part("minor", divide=10, modulo=100),
+            self.part("beta", modulo=10),
         ]
         later = {"from": 2730, "display": "{major}.{minor:02}[.{beta}]"}
         firmware: Node = {"type": "u16", "display": "{major}.{minor:02}[b{beta}]", "parts": parts}
-        if self.random.random() < 0.5:
-            firmware["later_display"] = later
-        parts = [
-            self.said({"name": "major", "divide": 10}, False),
-            self.said({"name": "minor", "modulo": 10}, False),
-        ]
+        firmware |= self.perhaps(0.5, later_display=later)
+        parts = [self.part("major", divide=10), self.part("minor", modulo=10)]
         board = {"type": "u8", "display": "{major}.{minor}", "parts": parts}
         packed = self.section(self.any_family(), "packed")
         packed.update(FirmwareVersion=self.sourced(firmware), BoardVersion=self.sourced(board))
@@ -306,19 +288,17 @@ class TypeMaker:
         """Adds the entry of a packed integer."""
         name = self.unique("Packed")
         self.section(self.any_family(), "packed")[name] = self.sourced(node)
-        known = [
-            (p["name"], self.parts[p["name"]]) for p in node["parts"] if p["name"] in self.parts
-        ]
-        return Kind(name, SIZES[number], SIZES[number], number=number, parts=tuple(known))
+        names = [part["name"] for part in node["parts"]]
+        known = tuple((name, self.parts[name]) for name in names if name in self.parts)
+        return replace(scalar(number), name=name, parts=known)
 
     def make_variables(self) -> None:
         """Makes adjustable variables, or none at all."""
         for identity in self.random.sample(range(256), self.random.choice((0, 1, 3))):
-            integers = [k for k in self.quantities if k.number in INTEGERS]
-            kinds = [Kind(n, SIZES[n], SIZES[n], number=n) for n in INTEGERS] + integers
+            kinds = [scalar(n) for n in INTEGERS]
+            kinds += [k for k in self.quantities if k.number in INTEGERS]
             kind = self.random.choice(kinds)
             low, high = sorted(self.random.randint(*INTEGERS[kind.number]) for _ in range(2))
             node = {"id": identity, "type": kind.name, "range": f"{low}..{high}"}
-            if self.chance(0.3):
-                node["since"] = self.since()
+            node |= self.perhaps(0.3, since=self.since())
             self.section(self.any_family(), "variables")[self.unique("VARIABLE_")] = self.said(node)

@@ -113,16 +113,8 @@ def test_the_example_decodes_conditions_of_every_kind(tmp_path: Path) -> None:
         elif "hex" in vector:
             with pytest.raises(Exception, match="too short|too long"):
                 decoder.decode(message, body, {})
-    assert whole - {"tail"} == {
-        "s",
-        "angle",
-        "n",
-        "m",
-        "count",
-        "l",
-        "k",
-        *"abcdefg",
-    }, "each occurs"
+    each = "s angle n m count l k a b c d e f g"
+    assert whole - {"tail"} == set(each.split()), "each occurs"
 
 
 GROWN = """        - {name: NUM, type: u8, summary: How many.}

@@ -8,19 +8,10 @@ from sbgcgen.model.names import camel_case, is_name, parse_field_name, parse_lin
 from sbgcgen.model.names import snake_case, type_advice
 
 
-@pytest.mark.parametrize(
-    ("plural", "expected"),
-    [
-        ("SystemErrors", "SystemError"),
-        ("Switches", "Switch"),
-        ("Pushes", "Push"),
-        ("Losses", "Loss"),
-        ("Modes", "Mode"),
-        ("Presence", "PresenceBit"),
-    ],
-)
-def test_singular(plural: str, expected: str) -> None:
-    assert singular(plural) == expected
+def test_singular() -> None:
+    plurals = "SystemErrors Switches Pushes Losses Modes Presence".split()
+    expected = "SystemError Switch Push Loss Mode PresenceBit".split()
+    assert [singular(plural) for plural in plurals] == expected
 
 
 @pytest.mark.parametrize(
@@ -47,51 +38,22 @@ def test_field_name(
     assert (name.base, name.spec_name, name.expand, name.index) == (base, spec_name, expand, index)
 
 
-@pytest.mark.parametrize(
-    "text",
-    [
-        "",
-        "3D",
-        "A B",
-        "A-B",
-        "A[",
-        "A]",
-        "A[1][2]",
-        "A[-1]",
-        "A_{axis}",
-        "{AXIS}",
-        "{AXIS}_3",
-        "{1..3}_A",
-        "A_{AXIS}[3]",
-        "Größe",
-        "A\n",
-    ],
+_NO_NAMES = (
+    "|3D|A B|A-B|A[|A]|A[1][2]|A[-1]|A_{axis}|{AXIS}|{AXIS}_3|{1..3}_A|A_{AXIS}[3]|Größe|A\n"
 )
+
+
+@pytest.mark.parametrize("text", _NO_NAMES.split("|"))
 def test_no_field_name(text: str) -> None:
     assert parse_field_name(text) is None
 
 
-@pytest.mark.parametrize(
-    ("name", "snake"),
-    [
-        ("FIRMWARE_VER", "firmware_ver"),
-        ("deviceID", "device_id"),
-        ("RC_MIN_ANGLE", "rc_min_angle"),
-        ("BoardInfo", "board_info"),
-        ("RealtimeData3", "realtime_data3"),
-        ("I2C_ERROR_COUNT", "i2c_error_count"),
-    ],
-)
-def test_snake_case(name: str, snake: str) -> None:
-    assert snake_case(name) == snake
-
-
-@pytest.mark.parametrize(
-    ("name", "camel"),
-    [("BOARD_INFO_3", "BoardInfo3"), ("I2C_READ_REG_BUF", "I2cReadRegBuf"), ("ERROR", "Error")],
-)
-def test_camel_case(name: str, camel: str) -> None:
-    assert camel_case(name) == camel
+def test_cases_of_names() -> None:
+    snake = "firmware_ver device_id rc_min_angle board_info realtime_data3 i2c_error_count"
+    names = "FIRMWARE_VER deviceID RC_MIN_ANGLE BoardInfo RealtimeData3 I2C_ERROR_COUNT"
+    assert [snake_case(name) for name in names.split()] == snake.split()
+    names, camel = "BOARD_INFO_3 I2C_READ_REG_BUF ERROR", "BoardInfo3 I2cReadRegBuf Error"
+    assert [camel_case(name) for name in names.split()] == camel.split()
 
 
 def test_names() -> None:

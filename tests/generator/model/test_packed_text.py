@@ -18,27 +18,20 @@ def packed(name: str) -> Packed:
     return next(p for p in load_protocol(HERE / "minimal").layout.packed if p.name == name)
 
 
-@pytest.mark.parametrize(
-    ("text", "value"),
-    [
-        ("2.59", 2590),
-        ("2.55b5", 2555),
-        ("2.50", 2500),
-        ("2.5", None),  # 2.05 or 2.50?
-        ("2.43b9", 2439),
-        ("0.00", 0),
-        ("2", None),
-        ("2.590", None),
-        ("2.59b", None),
-        ("2.59b10", None),
-        ("v2.59", None),
-        ("2.59 ", None),
-        ("2,59", None),
-        ("", None),
-    ],
-)
-def test_firmware_version(text: str, value: int | None) -> None:
-    assert raw_of(packed("FirmwareVersion"), text) == value
+FIRMWARE: dict[str, int | None] = {
+    "2.59": 2590,
+    "2.55b5": 2555,
+    "2.50": 2500,
+    "2.43b9": 2439,
+    "0.00": 0,
+}
+# The first could be 2.05 or 2.50.
+NO_FIRMWARE = ["2.5", "2", "2.590", "2.59b", "2.59b10", "v2.59", "2.59 ", "2,59", ""]
+
+
+def test_firmware_version() -> None:
+    read = {text: raw_of(packed("FirmwareVersion"), text) for text in (*FIRMWARE, *NO_FIRMWARE)}
+    assert read == {**FIRMWARE, **dict.fromkeys(NO_FIRMWARE)}
 
 
 @pytest.mark.parametrize(

@@ -200,11 +200,8 @@ def test_vectors_hold_both_ways() -> None:
                 encode(message, line["fields"])
         if "error" in line:
             error = caught.value
-            assert line["error"] == {
-                "code": error.code,
-                "field": error.field,
-                "offset": error.offset,
-            }
+            said = {"code": error.code, "field": error.field, "offset": error.offset}
+            assert line["error"] == said
 
 
 def test_vectors_are_small() -> None:
@@ -251,28 +248,10 @@ def step_into(value: Any, step: str) -> list[Any]:
     return [value[step]] if step in value else []
 
 
-def numbers_of(values: list[Any]) -> list[Any]:
-    """Returns the single numbers of a leaf, which may be a list."""
-    result: list[Any] = []
-    for value in values:
-        result += value if isinstance(value, list) else [value]
-    return result
-
-
-LIMITS = {
-    "u8": (0, 255),
-    "i8": (-128, 127),
-    "u16": (0, 65535),
-    "i16": (-32768, 32767),
-    "u32": (0, 2**32 - 1),
-    "i32": (-(2**31), 2**31 - 1),
-    "u24": (0, 2**24 - 1),
-    "i24": (-(2**23), 2**23 - 1),
-    "u64": (0, 2**64 - 1),
-    "i64": (-(2**63), 2**63 - 1),
-    "f32": ("inf", "-inf", 0.0),
-    "f64": ("inf", "-inf", 0.0),
-}
+_BITS = (8, 16, 24, 32, 64)
+LIMITS: dict[str, tuple[Any, ...]] = {f"u{bits}": (0, 2**bits - 1) for bits in _BITS}
+LIMITS |= {f"i{bits}": (-(2 ** (bits - 1)), 2 ** (bits - 1) - 1) for bits in _BITS}
+LIMITS |= {name: ("inf", "-inf", 0.0) for name in ("f32", "f64")}
 
 
 def wanted_of(field: Field, leaf: Leaf) -> Iterator[tuple[str, Any]]:
@@ -287,15 +266,8 @@ def wanted_of(field: Field, leaf: Leaf) -> Iterator[tuple[str, Any]]:
             yield "limit of the range", value if leaf.type == "f32" else int(Fraction(limit))
     for special in field.special:
         yield "special value", special.value
-    for name, number in named_values(field):
-        yield name, number
-
-
-def named_values(field: Field) -> Iterator[tuple[str, int]]:
-    """Yields the values of an enum."""
     if isinstance(field.type, Enum) and field.type.kind == "enum":
-        for value in field.type.values:
-            yield value.name, value.value
+        yield from ((named.name, named.value) for named in field.type.values)
 
 
 def announced() -> set[str]:
@@ -314,12 +286,14 @@ def missing_of(leaf: Leaf, said: list[Line]) -> Iterator[str]:
         yield from missing_lengths(leaf, {len(text_to_bytes(value)) for value in values})
     if isinstance(field.type, (Blob, Struct)) or field.repeats_context:
         return
+    lists = (value if isinstance(value, list) else [value] for value in values)
+    every = [number for numbers in lists for number in numbers]
     if isinstance(field.type, Announced):
-        pairs = {pair for number in numbers_of(values) for pair in number.items()}
+        pairs = {pair for number in every for pair in number.items()}
         missing = {(name, limit) for name in announced() for limit in LIMITS[name]} - pairs
         yield from (f"{leaf.path}: {name} {limit}" for name, limit in missing)
         return
-    numbers = set(numbers_of(values))
+    numbers = set(every)
     if leaf.type in ("u64", "i64"):
         numbers = {int(number) for number in numbers}
     for why, number in wanted_of(field, leaf):

@@ -29,6 +29,10 @@ def _without(*names: str) -> Any:
     return lambda leaves: [leaf for leaf in leaves if leaf["spec_name"] not in names]
 
 
+def _but(last: int) -> Any:
+    return lambda values: values[:-last]
+
+
 def _and_more(value: int) -> Any:
     return lambda values: [*values, {**values[-1], "name": "MORE", "value": value}]
 
@@ -44,7 +48,7 @@ SPECIFICATION: list[Alteration] = [
     ("extra message", "CalibPoles", {}),
     ("field", "ReadParams3.SKIP_GYRO_CALIB", {"spec_name": "SKIP_CALIB"}),
     ("field", "BoardInfo", {"layout": lambda leaves: leaves[::-1]}, "BoardInfo."),
-    ("field", "AdjVarsState", {"layout": lambda leaves: leaves[:-1]}, "AdjVarsState."),
+    ("field", "AdjVarsState", {"layout": _but(1)}, "AdjVarsState."),
     ("type", "RealtimeData3.SERIAL_ERROR_CNT", {"type": "i16"}),
     ("offset", "RealtimeData3.CYCLE_TIME", {"offset": 99}),
     ("size", "CalibBat", {"max_size": 3}),
@@ -53,7 +57,7 @@ SPECIFICATION: list[Alteration] = [
     ("value", "RC_FOLLOW_YAW", {"min": 1}),
     ("bits", "I2cWriteRegBuf.DEVICE_ADDR", {"packed": "BoardVersion"}),
     ("same field", "I2cWriteRegBuf.REG_ADDR", {"type": "u16"}),
-    ("same body", "WriteParamsExt", {"layout": lambda leaves: leaves[:-1]}, "CMD_WRITE_PARAMS_EXT"),
+    ("same body", "WriteParamsExt", {"layout": _but(1)}, "CMD_WRITE_PARAMS_EXT"),
     ("align", "EepromWrite.ADDR", {"align": 1}),
     ("since", "BeepSound", {"since": None}, "CMD_BEEP_SOUND.MODE"),
     ("row", "ReadParams3.EULER_ORDER", {"spec_name": "EULER"}),
@@ -88,13 +92,13 @@ LATER: list[Alteration] = [
     ("since", "ProfileSet", {"since": {"firmware": "2.66"}}),
     ("body", "ModuleListRequest", {"direction": "from_board"}, "CMD_MODULE_LIST to_board"),
     ("size", "ControlQuatStatus", {"max_size": 98}),
-    ("length", "Event", {"layout": lambda leaves: leaves[:-1]}),
+    ("length", "Event", {"layout": _but(1)}),
     ("field", "ProfileSet.SLOT", {"spec_name": "SLOTS"}),
     ("field", "SyncMotors", {"layout": lambda leaves: leaves[::-1]}, "SyncMotors."),
     ("type", "ServoOutExt.SERVO_TIME", {"type": "i8"}),
     ("offset", "BoardInfo3.HW_FLAGS", {"offset": 48}),
     ("offset", "ReadParamsExt3.SOFT_LIMIT_WIDTH", {"offset": 41}),
-    ("same body", "WriteParamsExt3", {"layout": lambda leaves: leaves[:-1]}),
+    ("same body", "WriteParamsExt3", {"layout": _but(1)}),
     ("when", "CanDrvTelemetryFlags.TEMP_BOARD", {"value": 1}, "CanDrvTelemetry."),
     ("unit", "ReadParamsExt2.MOTOR_RES", {"scale_exact": "1"}),
     ("unit", "ExtMotorsState.CURRENT", {"unit": "A"}),
@@ -107,16 +111,11 @@ LATER: list[Alteration] = [
     ("value", "CalibMode.COGGING", {"value": 99}),
     ("since", "EventId.SCRIPT", {"since": None}),
     ("value", "EventId.SCRIPT", {"name": "SKRIPT"}),
-    ("extra value", "EventId", {"values": _and_more(7)}, "EventId.MORE"),
-    ("extra value", "StateFlags", {"values": _and_more(1 << 31)}, "StateFlags.MORE"),
+    ("extra constant", "EventId", {"values": _and_more(7)}, "EventId.MORE"),
+    ("extra constant", "StateFlags", {"values": _and_more(1 << 31)}, "StateFlags.MORE"),
     ("bits", "PackedQuaternion.a", {"mask": 1}),
     ("sign", "PackedQuaternion.b", {"sign": 1}),
-    (
-        "stream",
-        "DataStreamInterval.CONFIG",
-        {"cases": lambda cases: cases[:-2]},
-        "CMD_EXT_MOTORS_STATE",
-    ),
+    ("stream", "DataStreamInterval.CONFIG", {"cases": _but(2)}, "CMD_EXT_MOTORS_STATE"),
     ("variable", "SHAKE_FREQ_RANGE", {"name": "SHAKE"}),
     ("variable range", "SHAKE_FREQ", {"max": 254}),
     ("variable since", "VariableId.EULER_ORDER", {"since": None}),

@@ -7,6 +7,7 @@ code but in tests/data/*_exceptions.yaml, each with its erratum or reason.
 from __future__ import annotations
 
 import json
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from fnmatch import fnmatchcase
 from pathlib import Path
@@ -28,6 +29,9 @@ def loaded(path: Path) -> Json:
     text = path.read_text(encoding="utf-8")
     found: Json = json.loads(text) if path.suffix == ".json" else yaml.safe_load(text)
     return found
+
+
+FACTS = {name: loaded(DATA / f"{name}_facts.json") for name in ("specification", "later")}
 
 
 def model_of_documents() -> Json:
@@ -129,18 +133,29 @@ class Table:
 
 
 @dataclass(frozen=True)
-class Ours:
-    """An element of a layout in the model."""
+class Element:
+    """An element of a body: a number, a run of bytes, or a variable part; `fact` is the field or leaf."""
 
     name: str
     type: str
-    path: str
-    offset: int | None
-    size: int
-    leaf: Json
+    size: int  # 0 if it varies
+    fact: Json
+    offset: int | None = None
+
+    @property
+    def line(self) -> int:
+        return int(self.fact["line"])
+
+    @property
+    def path(self) -> str:
+        return str(self.fact["path"])
+
+    @property
+    def is_reserved(self) -> bool:
+        return self.name.upper() == "RESERVED"
 
 
-def our_elements(message: Json) -> list[Ours]:
+def our_elements(message: Json) -> list[Element]:
     """Returns the elements of a layout; in the text, strings and bytes are both runs of bytes."""
     found = []
     for leaf in message["layout"]:
@@ -151,14 +166,32 @@ def our_elements(message: Json) -> list[Ours]:
             size, count = count or 0, 1
         for i in range(1 if count is None else count):
             offset = None if leaf["offset"] is None else leaf["offset"] + i * size
-            found.append(Ours(leaf["spec_name"], type_, leaf["path"], offset, size, leaf))
+            found.append(Element(leaf["spec_name"], type_, size, leaf, offset))
     return found
 
 
+class Told:
+    """What a document tells about."""
+
+    def __init__(self) -> None:
+        self.labels: set[tuple[str, str]] = set()  # a kind of fact, and what it is about
+        self.messages: set[tuple[str, str]] = set()  # by name and direction
+        self.leaves: set[tuple[str, str, str]] = set()  # message, direction, path
+        self.paths: set[tuple[str, str, str]] = set()  # a kind of fact, message, path
+
+    def add(self, message: Json, leaves: Iterable[Json]) -> None:
+        self.leaves |= {(message["name"], message["direction"], leaf["path"]) for leaf in leaves}
+
+    def says(self, kind: str, leaves: list[tuple[Json, Json]]) -> None:
+        """Notes a kind of fact about leaves, each with its message."""
+        self.paths |= {(kind, message["name"], leaf["path"]) for message, leaf in leaves}
+
+
 class Model:
-    """The exported model by names."""
+    """The exported model by names, and what a document tells about it."""
 
     def __init__(self, model: Json) -> None:
+        self.told = Told()
         self.model = model
         self.messages: list[Json] = model["messages"]
         self.enums = {e["name"]: e for e in model["enums"]}

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Collection, Iterable, Iterator
-from dataclasses import dataclass
+from collections.abc import Callable, Generator, Iterable, Iterator
 from fnmatch import fnmatchcase
 from typing import Any
 
-from documents import SIZES, Check, Json, Model, Ours, Table, our_elements, version
+from documents import SIZES, Check, Element, Json, Model, Table, Told, our_elements, version
 
 TYPES = {"1u": "u8", "1s": "i8", "2u": "u16", "2s": "i16", "4u": "u32", "4s": "i32", "4f": "f32"}
 UNITS = {
@@ -27,46 +26,20 @@ UNITS = {
     "of gyro sensor's units": "gyro unit",
     "of gyro sensor units": "gyro unit",
 }
+Owned = list[tuple[Json, Json]]  # leaves, each with its message
+Test = Callable[[Json, Any], bool]
 
 
-@dataclass(frozen=True)
-class Element:
-    """An element of a body in the text: a number, a run of bytes, or a variable part."""
-
-    name: str
-    type: str
-    size: int
-    line: int
-    index: str
-    fact: Json
-
-    @property
-    def is_reserved(self) -> bool:
-        return self.type.startswith("bytes ") and self.name.upper() == "RESERVED"
-
-    def is_same(self, ours: Ours) -> bool:
-        """Returns True for an element of the model with this name and type."""
-        return same_name(self.name, ours.name) and self.type == ours.type
-
-
-def text_elements(body: Json) -> list[Element]:
-    """Returns the elements of a body; an array yields each of its elements."""
-    found = []
+def text_elements(body: Json) -> Iterator[Element]:
+    """Yields the elements of a body; an array yields each of its elements."""
     for field in body["fields"]:
-        notation = field["type"]
-        size = 0
+        notation, count = field["type"], field["count"]
         if notation.endswith("b"):
-            size = int(notation[:-1])
-            type_ = f"bytes {size}"
-        elif notation in TYPES or notation == "float":
-            type_ = TYPES.get(notation, notation)
-            size = SIZES[type_] if field["count"] else 0
+            type_, size = f"bytes {notation[:-1]}", int(notation[:-1])
         else:
-            type_ = notation
-        for _ in range(field["count"] or 1):
-            index = str(field.get("index", ""))
-            found.append(Element(field["name"], type_, size, field["line"], index, field))
-    return found
+            type_ = TYPES.get(notation, notation)
+            size = SIZES.get(type_, 0) if count else 0
+        yield from [Element(field["name"], type_, size, field)] * (count or 1)
 
 
 def same_name(said: str, ours: str) -> bool:
@@ -74,30 +47,24 @@ def same_name(said: str, ours: str) -> bool:
     return said == ours or said.upper() == ours == "RESERVED"
 
 
-def body_paths(message: Json) -> list[str]:
-    """Returns the paths of a body's leaves; included reserved ones have other numbers."""
-    return [re.sub(r"reserved_\d", "reserved", leaf["path"]) for leaf in message["layout"]]
+def one(values: Iterable[Any]) -> Any:
+    """Returns the value if all are equal, else the list of distinct values."""
+    every = list(values)
+    found = [value for place, value in enumerate(every) if value not in every[:place]]
+    return found[0] if len(found) == 1 else found
 
 
 class Comparison(Model):
     """All checks of the facts against the model.
 
-    `later` are the leaves that the notes on the later protocol tell about: by message, direction and
-    path. They may have names for bytes that are reserved in the text.
+    `later` is what the notes on the later protocol tell about; it may name bytes that are reserved in the text.
     """
 
-    def __init__(
-        self, facts: Json, model: Json, table: Table, later: Collection[tuple[str, str, str]] = ()
-    ) -> None:
+    def __init__(self, facts: Json, model: Json, table: Table, later: Told) -> None:
         super().__init__(model)
         self.facts = facts
         self.table = table
         self.later = later
-        self.described: set[tuple[str, str]] = set()  # (message, path) with a range in the text
-        self.measured: set[tuple[str, str]] = set()  # (message, path) with a unit in the text
-        self.named: set[tuple[str, int]] = set()  # constants of the text
-        self.met: set[tuple[str, str]] = set()  # (message, direction) with a body in the text
-        self.compared: set[tuple[str, str, str]] = set()  # leaves: message, direction, path
 
     def run(self) -> Iterator[Check]:
         yield from self.defines()
@@ -110,7 +77,6 @@ class Comparison(Model):
         yield from self.codes()
         yield from self.answers()
         yield from self.variables()
-        yield from self.additions()
 
     # Ids, framing and notation
 
@@ -120,114 +86,105 @@ class Comparison(Model):
             command = self.commands.get(name, {})
             yield Check("id", line, name, define["value"], command.get("id"))
             yield Check("board", line, name, define.get("board"), version(command, "board"))
+            self.told.labels.add(("command", name))
 
     def framing(self) -> Iterator[Check]:
         framing = self.model["framings"][0]  # v1, the only one of the text
         parts = [f for f in self.facts["framing"] if f["part"] != "example"]
         header = [f for f in parts if not f["part"].startswith("body")]
-        yield Check("framing", parts[0]["line"], "start", parts[0]["value"], framing["start"])
-        yield Check("framing", parts[0]["line"], "header", len(header), framing["header_size"])
-        trailer = len(parts) - len(header)
-        yield Check("framing", parts[-1]["line"], "trailer", trailer, framing["trailer_size"])
+        first, last, trailer = parts[0]["line"], parts[-1]["line"], len(parts) - len(header)
+        yield Check("framing", first, "start", parts[0]["value"], framing["start"])
+        yield Check("framing", first, "header", len(header), framing["header_size"])
+        yield Check("framing", last, "trailer", trailer, framing["trailer_size"])
         for example in (f for f in self.facts["framing"] if f["part"] == "example"):
-            said = example["bytes"]
             id_ = self.commands["CMD_READ_PARAMS"]["id"]
             ours = [framing["start"], id_, 1, (id_ + 1) % 256, 1, 1]
-            yield Check("framing", example["line"], "example", said, ours)
+            yield Check("framing", example["line"], "example", example["bytes"], ours)
 
     def notation(self) -> Iterator[Check]:
         known = {fact["type"] for fact in self.facts["notation"]}
-        seen = set()
-        for body in self.facts["bodies"]:
-            for field in body["fields"]:
-                notation = re.sub(r"^\d+b$", "Nb", field["type"])
-                if notation not in seen and notation != "variable":
-                    seen.add(notation)
-                    said = "defined" if notation in known else "undefined"
-                    yield Check("notation", field["line"], notation, said, "defined")
+        seen = {"variable"}
+        for field in (field for body in self.facts["bodies"] for field in body["fields"]):
+            notation = re.sub(r"^\d+b$", "Nb", field["type"])
+            if notation not in seen:
+                seen.add(notation)
+                said = "defined" if notation in known else "undefined"
+                yield Check("notation", field["line"], notation, said, "defined")
 
     # Bodies
 
-    def command_of(self, name: str, line: int) -> tuple[Check, str | None]:
-        """Checks that a command has an id; returns its name in the model otherwise."""
-        known = self.commands.get(name, {}).get("id") is not None
-        check = Check("command", line, name, name, name if known else None)
-        if known:
-            return check, name
-        entry = self.table.find("command", line, name)
-        ours = entry["ours"] if entry else None
-        return Check("command", line, name, name, ours), ours
+    def command_of(self, name: str, line: int) -> Generator[Check, None, str | None]:
+        """Checks that a command has an id; returns its name in the model."""
+        ours: str | None = name
+        if self.commands.get(name, {}).get("id") is None:
+            entry = self.table.find("command", line, name)
+            ours = entry["ours"] if entry else None
+        yield Check("command", line, name, name, ours)
+        return ours
 
-    def message_of(self, body: Json, command: str) -> tuple[Check, Json | None]:
-        """Returns the message for a body of the text, by direction and form."""
+    def message_of(self, body: Json, command: str) -> Generator[Check, None, Json | None]:
+        """Checks and returns the message for a body of the text, by direction and form."""
         forms = {m.get("form_name"): m for m in self.messages_of(command, body["direction"])}
-        said = body["form"]
-        entry = self.table.find("form", body["line"], command)
-        if entry:
-            return Check("form", body["line"], command, said, entry["ours"]), forms[entry["ours"]]
-        if said in forms:
-            return Check("form", body["line"], command, said, said), forms[said]
-        # The only form of a command, in the text or in the model, is the simple one.
-        simple = forms.get("simple" if said is None else None) if said in (None, "simple") else None
-        ours = said if simple else sorted(str(form) for form in forms)
-        return Check("form", body["line"], command, said, ours), simple
+        said, line = body["form"], body["line"]
+        entry = self.table.find("form", line, command)
+        wanted = entry["ours"] if entry else said
+        if wanted not in forms and said in (None, "simple"):
+            # The only form of a command, in the text or in the model, is the simple one.
+            wanted = "simple" if said is None else None
+        found = forms.get(wanted)
+        ours = said if found else sorted(str(form) for form in forms)
+        yield Check("form", line, command, said, entry["ours"] if entry else ours)
+        return found
 
     def body(self, body: Json) -> Iterator[Check]:
-        check, command = self.command_of(body["command"], body["line"])
-        yield check
+        line, direction = body["line"], body["direction"]
+        command = yield from self.command_of(body["command"], line)
         if command is None:
             return
-        check, message = self.message_of(body, command)
-        yield check
+        message = yield from self.message_of(body, command)
+        yield Check("body", line, command, direction, message and message["direction"])
         if message is None:
-            yield Check("body", body["line"], command, body["direction"], None)
             return
-        yield Check("body", body["line"], command, body["direction"], message["direction"])
-        self.met.add((message["name"], message["direction"]))
+        self.told.messages.add((message["name"], direction))
         if "since" in body:
-            since = version(message)
-            yield Check("since", body["line"], message["name"], body["since"], since)
+            yield Check("since", line, message["name"], body["since"], version(message))
         if "same_as" in body:
             yield from self.same_body(body, command, message)
         if body["fields"]:
             yield from self.fields(body, message)
         elif "same_as" not in body:
-            grown = all(self.is_later(message, leaf) for leaf in message["layout"])
+            grown = all("since" in f and self.is_later(message, f) for f in message["layout"])
             ours = message["min_size" if grown else "max_size"]
-            yield Check("size", body["line"], message["name"], 0, ours)
+            yield Check("size", line, message["name"], 0, ours)
 
     def is_later(self, message: Json, leaf: Json) -> bool:
-        """Returns True if a leaf is newer than the text, according to the notes."""
-        key = (message["name"], message["direction"], leaf["path"])
-        return "since" in leaf and key in self.later
+        """Returns True if the notes tell about a leaf."""
+        return (message["name"], message["direction"], leaf["path"]) in self.later.leaves
 
     def same_body(self, body: Json, command: str, message: Json) -> Iterator[Check]:
         """'Same structure as': equal layouts; 'same meaning': equal fields of the same name."""
-        other = body["same_as"]
+        line, direction, other = body["line"], body["direction"], body["same_as"]
         if other.endswith("_xx"):  # "the corresponding command"
             other = command.replace("WRITE", "READ")
-        opposite = "from_board" if body["direction"] == "to_board" else "to_board"
-        direction = body["direction"] if body["fields"] else opposite
-        models = self.messages_of(other, direction)
-        own = {leaf["spec_name"]: leaf for leaf in message["layout"]}
-        direction_of = message["direction"]
-        if not models:
-            yield Check("same body", body["line"], command, other, None)
-        elif not body["fields"]:
-            shape, theirs = (
-                [(f["path"], f["type"], f["count"], f["offset"]) for f in one["layout"]]
-                for one in (message, models[0])
-            )
-            ours = other if shape == theirs else "another body"
-            self.compared |= {(message["name"], direction_of, f["path"]) for f in message["layout"]}
-            yield Check("same body", body["line"], command, other, ours)
+        opposite = "from_board" if direction == "to_board" else "to_board"
+        others = self.messages_of(other, direction if body["fields"] else opposite)
+        if not others:
+            yield Check("same body", line, command, other, None)
+        elif body["fields"]:
+            own = {leaf["spec_name"]: leaf for leaf in message["layout"]}
+            for leaf in others[0]["layout"]:
+                name = leaf["spec_name"]
+                if name in own:
+                    types = [(f["type"], f.get("packed")) for f in (leaf, own[name])]
+                    yield Check("same field", line, name, *types)
         else:
-            for leaf in models[0]["layout"]:
-                mine = own.get(leaf["spec_name"])
-                if mine:
-                    said = (leaf["type"], leaf.get("packed"))
-                    have = (mine["type"], mine.get("packed"))
-                    yield Check("same field", body["line"], leaf["spec_name"], said, have)
+            theirs, mine = (
+                [(f["path"], f["type"], f["count"], f["offset"]) for f in m["layout"]]
+                for m in (others[0], message)
+            )
+            ours = other if theirs == mine else "another body"
+            self.told.add(message, message["layout"])
+            yield Check("same body", line, command, other, ours)
 
     def fields(self, body: Json, message: Json) -> Iterator[Check]:
         """Checks names, order, types, offsets and remarks of the fields of one body."""
@@ -236,15 +193,15 @@ class Comparison(Model):
         offset: int | None = 0  # None after a part of varying size
         for element in text_elements(body):
             name, line = f"{where}.{element.name}", element.line
+            index = str(element.fact.get("index", ""))
             extra, found, is_named = self.take(waiting, element, name, message)
-            for ours in extra:
-                yield Check("extra field", line, f"{where}.{ours.name}", None, ours.type)
-                offset = None if offset is None else offset + ours.size
+            yield from self.extra(line, where, extra)
+            offset = None if offset is None else offset + sum(ours.size for ours in extra)
             if not found:
                 yield Check("field", line, name, element.name, None)
                 continue
             ours = found[0]
-            if element.index.startswith("<") or not element.size:
+            if index.startswith("<") or not element.size:
                 offset = None
             if offset is not None:
                 yield Check("offset", line, name, offset, ours.offset)
@@ -253,37 +210,42 @@ class Comparison(Model):
                 for kind in ("field", "type"):
                     yield Check(kind, line, name, element.name, element.name)
                 continue
-            self.compared.add((where, message["direction"], ours.path))
+            self.told.add(message, [ours.fact])
             said = element.name.upper() if ours.name == "RESERVED" else element.name
             yield Check("field", line, name, said, ours.name)
-            yield Check("type", line, name, element.type, self.type_said(element, ours))
-            if element.index and element.index.isalpha():
-                word = element.index.lower()
-                has = element.index if word in ours.path.split(".") else ours.path
-                yield Check("index", line, name, element.index, has)
-            yield from self.remarks(element.fact, line, name, [ours.leaf], where)
-        for ours in waiting:
-            if not ours.leaf.get("when"):
-                name = f"{where}.{ours.name}"
-                yield Check("extra field", body["line"], name, None, ours.type)
+            is_variable = element.type == "variable" and ours.fact["count"] is None
+            yield Check("type", line, name, element.type, "variable" if is_variable else ours.type)
+            if index.isalpha():
+                has = index if index.lower() in ours.path.split(".") else ours.path
+                yield Check("index", line, name, index, has)
+            yield from self.remarks(element.fact, name, [(message, ours.fact)])
+        yield from self.extra(body["line"], where, (o for o in waiting if not o.fact.get("when")))
         if offset is not None:
             for key in ("max_size", "min_size"):
                 yield Check("size", body["line"], where, offset, message[key])
 
+    def extra(self, line: int, where: str, elements: Iterable[Element]) -> Iterator[Check]:
+        """Yields the elements that neither the text nor the notes have."""
+        for name, type_ in ((f"{where}.{ours.name}", ours.type) for ours in elements):
+            if ("field", name) not in self.later.labels:
+                yield Check("extra field", line, name, None, type_)
+
     def take(
-        self, waiting: list[Ours], element: Element, name: str, message: Json
-    ) -> tuple[list[Ours], list[Ours], bool]:
+        self, waiting: list[Element], element: Element, name: str, message: Json
+    ) -> tuple[list[Element], list[Element], bool]:
         """Takes the elements of the model before an element of the text, then what is that element, by name or not.
 
         Reserved bytes may be several elements now, of the same size, which are reserved or known to the notes.
         The elements of a variable part are those under a condition, if none has its name.
         """
-        if element.is_reserved and waiting and not element.is_same(waiting[0]):
+        ours = waiting[0] if waiting else element
+        is_same = same_name(element.name, ours.name) and element.type == ours.type
+        if element.type.startswith("bytes ") and element.is_reserved and not is_same:
             for start in range(min(2, len(waiting))):
                 size = 0
                 for end, ours in enumerate(waiting[start:], start + 1):
-                    known = (message["name"], message["direction"], ours.path) in self.later
-                    if not ours.size or not (known or ours.name == "RESERVED"):
+                    known = self.is_later(message, ours.fact) or ours.name == "RESERVED"
+                    if not ours.size or not known:
                         break
                     size += ours.size
                     if size == element.size:
@@ -297,57 +259,42 @@ class Comparison(Model):
         found = [] if place is None else [waiting[place]]
         rest = [] if place is None else waiting[place + 1 :]
         if element.type == "variable":
-            optional = [ours for ours in before if ours.leaf.get("when")]
-            before = [ours for ours in before if not ours.leaf.get("when")]
+            optional = [ours for ours in before if ours.fact.get("when")]
+            before = [ours for ours in before if not ours.fact.get("when")]
             found = found or optional
         if place is None:
             before, rest = [], before
         waiting[:] = rest
         return before, found, place is not None
 
-    def type_said(self, element: Element, ours: Ours) -> str:
-        if element.type == "variable" and ours.leaf["count"] is None:
-            return "variable"
-        return ours.type
-
     # The table of variables
 
     def row(self, row: Json) -> Iterator[Check]:
-        several = row.get("units", []) if len(row["names"]) > 1 else []
-        for number, said in enumerate(row["names"]):
-            name = re.sub(r"\[.*", "", said)
-            commands = row["commands"]
-            where = f"{commands[0]}.{name}"
-            leaves, check = self.row_leaves(row, name, where)
-            yield check
-            self.compared |= {(m["name"], m["direction"], leaf["path"]) for m, leaf in leaves}
-            if not leaves:
+        line, names, units = row["line"], row["names"], row.get("units", [])
+        for number, said in enumerate(names):
+            name = said.partition("[")[0]
+            where = f"{row['commands'][0]}.{name}"
+            found = yield from self.row_leaves(row, name, where)
+            if not found:
                 continue
-            line = row["line"]
+            leaves = [leaf for _, leaf in found]
             type_ = TYPES.get(row["type"], row["type"].replace("8b", "bytes"))
-            yield Check("row type", line, where, type_, self.one(f["type"] for _, f in leaves))
+            yield Check("row type", line, where, type_, one(f["type"] for f in leaves))
             for key in ("min", "max"):
                 if key in row:
-                    ours = self.one(leaf[key] for _, leaf in leaves)
-                    yield Check(key, line, where, row[key], ours)
-            if "min" in row or "max" in row or "ranges" in row:
-                self.described |= {(m["name"], leaf["path"]) for m, leaf in leaves}
-            array = re.search(r"\[(\d+)\]", said)
-            if array:
-                counts = self.one(
-                    sum(f["count"] or 0 for n, f in leaves if n is m) for m, _ in leaves
-                )
-                yield Check("count", line, where, int(array[1]), counts)
+                    yield Check(key, line, where, row[key], one(f[key] for f in leaves))
+            if {"min", "max", "ranges"} & set(row):
+                self.told.says("range", found)
+            if array := re.search(r"\[(\d+)\]", said):
+                counts = [sum(f["count"] or 0 for n, f in found if n is m) for m, _ in found]
+                yield Check("count", line, where, int(array[1]), one(counts))
             if "version" in row:
-                versions = self.one(version(m) for m, _ in leaves)
-                yield Check("since", line, where, row["version"], versions)
-            remark = dict(row)
-            if len(several) == len(row["names"]) > 1:
-                remark["units"] = [several[number]]
-            yield from self.remarks(remark, line, where, [leaf for _, leaf in leaves], "", leaves)
+                yield Check("since", line, where, row["version"], one(version(m) for m, _ in found))
+            own = {"units": [units[number]]} if len(units) == len(names) > 1 else {}
+            yield from self.remarks({**row, **own}, where, found)
 
-    def row_leaves(self, row: Json, name: str, where: str) -> tuple[list[tuple[Json, Json]], Check]:
-        """Returns the leaves that a name of the table refers to, and the check that they exist."""
+    def row_leaves(self, row: Json, name: str, where: str) -> Generator[Check, None, Owned]:
+        """Returns the leaves that a name of the table refers to, and checks that they exist."""
         entry = self.table.find("row", row["line"], where)
         wanted = [name] if entry is None else str(entry["ours"] or "").split()
         found = [
@@ -359,56 +306,27 @@ class Comparison(Model):
             for leaf in message["layout"]
             if any(fnmatchcase(leaf["spec_name"], pattern) for pattern in wanted)
         ]
-        commands = {message["command"] for message, _ in found}
-        complete = commands == set(row["commands"])
-        ours = (entry["ours"] if entry else name) if complete else None
-        return found, Check("row", row["line"], where, name, ours)
+        complete = {message["command"] for message, _ in found} == set(row["commands"])
+        ours = entry["ours"] if entry else name
+        yield Check("row", row["line"], where, name, ours if complete else None)
+        for message, leaf in found:
+            self.told.add(message, [leaf])
+        return found
 
     def is_old(self, message: Json) -> bool:
         """Returns False for a form that only the notes have."""
-        key = (message["name"], message["direction"])
-        return (
-            key in self.met
-            or message["form"] is None
-            or not message["layout"]
-            or ((*key, message["layout"][0]["path"]) not in self.later)
-        )
-
-    def one(self, values: Iterable[Any]) -> Any:
-        """Returns the value if all are equal, else the list of distinct values."""
-        found: list[Any] = []
-        for value in values:
-            if value not in found:
-                found.append(value)
-        return found[0] if len(found) == 1 else found
+        layout = message["layout"]
+        is_met = (message["name"], message["direction"]) in self.told.messages
+        return is_met or not (message["form"] and layout and self.is_later(message, layout[0]))
 
     # Remarks of fields and rows
 
-    def remarks(
-        self,
-        fact: Json,
-        line: int,
-        name: str,
-        leaves: list[Json],
-        message: str,
-        owners: list[tuple[Json, Json]] | None = None,
-    ) -> Iterator[Check]:
+    def remarks(self, fact: Json, name: str, found: Owned) -> Iterator[Check]:
         """Checks constants, values, bits, units etc., which every leaf must have."""
-
+        line, leaves = fact["line"], [leaf for _, leaf in found]
         for constant in fact.get("constants", []):
-            at = constant.get("line", line)
-            label = f"{name}.{constant['name']}"
-            said = f"{constant['name']} = {constant['value']}"
-            entry = self.table.find("constant", at, f"{label}={constant['value']}")
-            wanted = str(entry["ours"]).partition(" = ")[0] if entry else constant["name"]
-            known = [self.constant(f, wanted, constant["value"]) for f in leaves]
-            ours = self.one(v and f"{wanted} = {v['value']}" for v in known)
-            self.named.add((wanted, constant["value"]))
-            yield Check("constant", at, f"{label}={constant['value']}", said, ours)
-            if "board" in constant:
-                board = self.one(version(v, "board") for v in known)
-                yield Check("board", at, label, constant["board"], board)
-        tests: tuple[tuple[str, str, str, Callable[[Json, Any], bool]], ...] = (
+            yield from self.constant(constant, constant.get("line", line), name, leaves)
+        tests: tuple[tuple[str, str, str, Test], ...] = (
             ("values", "value", "={}", self.has_value),
             ("special", "special", "={}", self.is_special),
             ("bits", "bits", "[{0[0]}..{0[1]}]", self.has_bits),
@@ -420,90 +338,85 @@ class Comparison(Model):
                 ours = said if all(test(leaf, said) for leaf in leaves) else None
                 yield Check(kind, line, name + suffix.format(said), said, ours)
         for low, high in fact.get("ranges", []):
-            limits = self.one((f["min"], f["max"]) for f in leaves)
+            limits = one((f["min"], f["max"]) for f in leaves)
             if low == 0 and leaves[0].get("max_count") is not None:
                 limits = (low, leaves[0]["max_count"])
             yield Check("range", line, f"{name}[{low}..{high}]", (low, high), limits)
         for unit in fact.get("units", []):
             yield self.unit(unit, line, name, leaves)
-            pairs = owners or [({"name": message}, leaf) for leaf in leaves]
-            self.measured |= {(m["name"], leaf["path"]) for m, leaf in pairs}
         for align in fact.get("align", []):
-            yield Check("align", line, name, align, self.one(f.get("align", 1) for f in leaves))
+            yield Check("align", line, name, align, one(f.get("align", 1) for f in leaves))
         for field, command in fact.get("references", []):
-            others = [
-                leaf
-                for message in self.messages
-                if message["command"] == command
-                for leaf in message["layout"]
-                if leaf["spec_name"] == field
-            ]
-            pairs = owners or [({"name": message}, leaf) for leaf in leaves]
-            self.measured |= {(m["name"], leaf["path"]) for m, leaf in pairs}
+            messages = [m for m in self.messages if m["command"] == command]
+            others = [f for m in messages for f in m["layout"] if f["spec_name"] == field]
             meaning = ("type", "enum", "packed", "unit", "scale", "min", "max")
-            said = self.one([f.get(key) for key in meaning] for f in others)
-            have = self.one([f.get(key) for key in meaning] for f in leaves)
-            yield Check("reference", line, name, said, have)
+            said, ours = (
+                one([f.get(key) for key in meaning] for f in fs) for fs in (others, leaves)
+            )
+            yield Check("reference", line, name, said, ours)
+        if {"units", "references"} & set(fact):
+            self.told.says("unit", found)
         for part in fact.get("parts", []):
             cases = {c["spec_name"].lower(): c["type"] for f in leaves for c in f.get("cases", [])}
-            said = TYPES[part["type"]]
-            yield Check("part", line, f"{name}.{part['name']}", said, cases.get(part["name"]))
+            ours = cases.get(part["name"])
+            yield Check("part", line, f"{name}.{part['name']}", TYPES[part["type"]], ours)
 
-    def enums_of(self, leaf: Json) -> list[tuple[Json, int]]:
-        """Returns the enums of a leaf that come from these sources, each with the shift of its values."""
-        found = [(self.enums[leaf["enum"]], 0)] if leaf["enum"] in self.enums else []
-        packed = self.packed.get(leaf.get("packed", ""))
-        if packed:
-            if packed["names"]:
-                found.append((self.enums[packed["names"]], 0))
-            parts = [p for p in packed["parts"] if p["enum"]]
-            found += [(self.enums[p["enum"]], p["shift"]) for p in parts]
-        for case in leaf.get("cases", []):
-            found += self.enums_of(case)
-        return found
+    def constant(self, fact: Json, line: int, name: str, leaves: list[Json]) -> Iterator[Check]:
+        label, number = f"{name}.{fact['name']}", fact["value"]
+        entry = self.table.find("constant", line, f"{label}={number}")
+        wanted = str(entry["ours"]).partition(" = ")[0] if entry else fact["name"]
+        self.told.labels.add(("constant", wanted))
+        found = [self.value_of(leaf, wanted, number) for leaf in leaves]
+        ours = one(value and f"{wanted} = {value['value']}" for value in found)
+        yield Check("constant", line, f"{label}={number}", f"{fact['name']} = {number}", ours)
+        if "board" in fact:
+            boards = one(version(value, "board") for value in found)
+            yield Check("board", line, label, fact["board"], boards)
 
-    def constant(self, leaf: Json, name: str, number: int) -> Json | None:
+    def enums_of(self, leaf: Json) -> list[Json]:
+        """Returns the enums of a leaf that come from these sources."""
+        packed = self.packed.get(leaf.get("packed", ""), {})
+        names = [leaf["enum"], packed.get("names"), *(p["enum"] for p in packed.get("parts", []))]
+        found = [self.enums[name] for name in names if name in self.enums]
+        return found + [enum for case in leaf.get("cases", []) for enum in self.enums_of(case)]
+
+    def values_of(self, leaf: Json) -> list[Json]:
+        return [value for enum in self.enums_of(leaf) for value in enum["values"]]
+
+    def value_of(self, leaf: Json, name: str, number: int) -> Json | None:
         """Returns the enum value of this name; a number such as 115200 may have a prefix."""
         found = None
-        for value in [v for enum, _ in self.enums_of(leaf) for v in enum["values"]]:
+        for value in self.values_of(leaf):
             is_number = name.isdigit() and value["name"].endswith(f"_{name}")
             if value["name"] == name or is_number:
                 found = value if found is None or value["value"] == number else found
         return found
 
     def has_value(self, leaf: Json, value: int) -> bool:
-        if str(value) in leaf.get("special", {}):
-            return True
-        for enum, shift in self.enums_of(leaf):
-            values = [v["value"] for v in enum["values"]]
-            union = 0
-            for one in values:
-                union |= one
-            if value in values or (enum["kind"] == "flags" and not value & ~union):
+        for enum in self.enums_of(leaf):
+            flags = sum(v["value"] for v in enum["values"]) if enum["kind"] == "flags" else 0
+            if flags and not value & ~flags:
                 return True
+        if self.is_special(leaf, value):
+            return True
         if leaf["min"] is not None and not leaf["enum"]:
             return bool(leaf["min"] <= value <= leaf["max"])
         parts = self.parts(leaf)
         return any(not p["enum"] and 0 <= value <= p["mask"] >> p["shift"] for p in parts)
 
     def is_special(self, leaf: Json, value: int) -> bool:
-        named = any(v["value"] == value for enum, _ in self.enums_of(leaf) for v in enum["values"])
+        named = any(v["value"] == value for v in self.values_of(leaf))
         return named or str(value) in leaf.get("special", {})
 
     def has_bits(self, leaf: Json, bits: list[int]) -> bool:
-        first, last = bits
-        mask = ((1 << (last - first + 1)) - 1) << first
-        parts = self.parts(leaf)
-        masks = [p["mask"] for p in parts if p["mask"] is not None]
-        union = 0
-        for one in masks:
-            union |= one if not one & ~mask else 0
-        if union == mask:
+        flags = {1 << bit for bit in range(bits[0], bits[1] + 1)}
+        mask = sum(flags)
+        masks = [p["mask"] for p in self.parts(leaf) if p["mask"] is not None]
+        if sum(part for part in masks if not part & ~mask) == mask:
             return True
-        flags = [1 << i for i in range(first, last + 1)]
-        named = {v["value"] for enum, _ in self.enums_of(leaf) for v in enum["values"]}
+        named = {v["value"] for v in self.values_of(leaf)}
         reserved = len(flags) > 1 and not any(value & mask for value in named)
-        return reserved or all(flag in named for flag in flags)
+        return reserved or flags <= named
 
     def unit(self, unit: Json, line: int, name: str, leaves: list[Json]) -> Check:
         """Checks scale and unit, of the field itself or of the alternative that a flag chooses."""
@@ -515,17 +428,14 @@ class Comparison(Model):
             mine = (leaf["scale"] or 1, leaf["unit"], leaf.get("add", 0))
             other = leaf.get("alternative")
             options = [mine] + ([(other["scale"], other["unit"], 0)] if other else [])
-            for part in self.parts(leaf):
-                if part["divide"]:
-                    options.append((1 / part["divide"], None, 0))
+            options += [(1 / p["divide"], None, 0) for p in self.parts(leaf) if p["divide"]]
             near = [o for o in options if abs(o[0] / scale - 1) < 2e-6 and o[1:] == said[1:]]
             have.append(said if near else mine)
-        return Check("unit", line, name, said, self.one(have))
+        return Check("unit", line, name, said, one(have))
 
     def versions(self, leaf: Json) -> set[str]:
-        notes = [leaf.get("since"), (leaf.get("deprecated") or {}).get("since")]
-        notes += [v["since"] for enum, _ in self.enums_of(leaf) for v in enum["values"]]
-        return {note["firmware"] for note in notes if note and "firmware" in note}
+        notes = [leaf, leaf.get("deprecated"), *self.values_of(leaf)]
+        return {version(note) for note in notes} - {None}
 
     def digits_agree(self, leaf: Json, digits: tuple[str, list[str]]) -> bool:
         """Returns True if a part of a decimal number matches the formula."""
@@ -546,18 +456,14 @@ class Comparison(Model):
     # Codes, responses, variables
 
     def codes(self) -> Iterator[Check]:
-        enums = {
-            leaf["enum"]
-            for message in self.messages
-            for leaf in message["layout"]
-            if leaf["spec_name"] == "ERR_CODE"
-        }
+        leaves = [leaf for message in self.messages for leaf in message["layout"]]
+        enums = {leaf["enum"] for leaf in leaves if leaf["spec_name"] == "ERR_CODE"}
         values = {v["name"]: v["value"] for e in enums for v in self.enums[e]["values"]}
         for code in self.facts["codes"]:
-            name, value = code["name"], code["value"]
-            self.named.add((name, value))
-            ours = f"{name} = {values.get(name)}"
-            yield Check("constant", code["line"], name, f"{name} = {value}", ours)
+            name = code["name"]
+            self.told.labels.add(("constant", name))
+            said, ours = (f"{name} = {value}" for value in (code["value"], values.get(name)))
+            yield Check("constant", code["line"], name, said, ours)
 
     def answers(self) -> Iterator[Check]:
         command_of = {m["name"]: m["command"] for m in self.messages}
@@ -567,8 +473,7 @@ class Comparison(Model):
                 response = message["response"]
                 if message["command"] == fact["command"] and response:
                     answers |= {command_of[name] for name in response["messages"]}
-                    if response["confirm"] != "never":
-                        answers.add("CMD_CONFIRM")
+                    answers |= {"CMD_CONFIRM"} if response["confirm"] != "never" else set()
             said = fact["answer"]
             ours = said if said in answers else sorted(answers)
             yield Check("answer", fact["line"], fact["command"], said, ours)
@@ -579,8 +484,8 @@ class Comparison(Model):
             line, said = fact["line"], fact["name"]
             entry = self.table.find("variable", line, said)
             name = str(entry["ours"]) if entry else said
+            self.told.labels |= {("variable", name), ("constant", name)}
             ours = by_name.get(name)
-            self.named.add((name, fact["id"]))
             yield Check("variable", line, said, said, name if ours else None)
             if ours is None:
                 continue
@@ -592,44 +497,3 @@ class Comparison(Model):
             for value in fact.get("values", []) + fact.get("special", []):
                 inside = value if ours["min"] <= value <= ours["max"] else None
                 yield Check("value", line, f"{name}={value}", value, inside)
-
-    # Facts of the model beyond the text
-
-    def additions(self) -> Iterator[Check]:
-        """Checks messages, limits, units and names without a fact in the text."""
-        bodies = [(message["name"], body_paths(message)) for message in self.messages]
-        for message, (name, paths) in zip(self.messages, bodies):
-            if (name, message["direction"]) not in self.met:
-                yield Check("extra message", 0, name, None, message["direction"])
-            # Other messages that have the same body, or whose body starts this one.
-            same = [
-                other
-                for other, theirs in bodies
-                if theirs == paths or (len(theirs) > 9 and paths[: len(theirs)] == theirs)
-            ]
-            seen: set[str] = set()
-            for leaf in message["layout"]:
-                keys = {(n, leaf["path"]) for n in same} | {(name, leaf["path"])}
-                label = f"{name}.{leaf['spec_name']}"
-                if label in seen:
-                    continue
-                seen.add(label)
-                if leaf["min"] is not None and not keys & self.described:
-                    limits = f"{leaf['min']}..{leaf['max']}"
-                    yield Check("extra range", 0, label, None, limits)
-                if leaf["scale"] is not None and not keys & self.measured:
-                    yield Check("extra unit", 0, label, None, leaf["quantity"])
-        names = {name for name, _ in self.named}
-        for enum in self.model["enums"]:
-            for value in enum["values"] if not enum["name"].startswith("Command") else []:
-                if value["named_by_specification"] and value["name"] not in names:
-                    label = f"{enum['name']}.{value['name']}"
-                    yield Check("extra constant", 0, label, None, value["value"])
-        known = {d["name"] for d in self.facts["defines"]}
-        for command in self.model["commands"]:
-            if command["name"] not in known:
-                yield Check("extra command", 0, command["name"], None, command["id"])
-        variables = {name for name, _ in self.named}
-        for variable in self.model["adjustable_variables"]:
-            if variable["name"] not in variables:
-                yield Check("extra variable", 0, variable["name"], None, variable["id"])

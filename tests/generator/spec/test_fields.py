@@ -50,18 +50,10 @@ def test_structs_in_structs(tmp_path: Path) -> None:
         '            - {name: "inner[2]", type: Pair, summary: S.}\n'
         "            - {reserved: 1}",
     )
-    assert [(i.path, i.offset) for i in made.leaves] == [
-        ("outer[0].inner[0].first", 0),
-        ("outer[0].inner[0].second", 1),
-        ("outer[0].inner[1].first", 3),
-        ("outer[0].inner[1].second", 4),
-        ("outer[0].reserved", 6),
-        ("outer[1].inner[0].first", 7),
-        ("outer[1].inner[0].second", 8),
-        ("outer[1].inner[1].first", 10),
-        ("outer[1].inner[1].second", 11),
-        ("outer[1].reserved", 13),
-    ]
+    inner = "inner[0].first inner[0].second inner[1].first inner[1].second reserved".split()
+    paths = [f"outer[{i}].{path}" for i in range(2) for path in inner]
+    assert [leaf.path for leaf in made.leaves] == paths
+    assert [leaf.offset for leaf in made.leaves] == [0, 1, 3, 4, 6, 7, 8, 10, 11, 13]
 
 
 def test_reserved_bytes_are_numbered_only_if_there_are_several(tmp_path: Path) -> None:

@@ -3,18 +3,17 @@
 from __future__ import annotations
 
 from collections import defaultdict
+from collections.abc import Iterable
+from typing import Any
 
 import pytest
 
-from documents import LATER, Json, model_of_documents
-from later import FACTS
+from documents import FACTS, LATER, Json, model_of_documents
 from sbgcgen.model.names import parse_lines
 from support import project_layout
 
-
-@pytest.fixture(scope="module")
-def facts() -> Json:
-    return FACTS["specification"]
+TEXT = FACTS["specification"]
+Lines = defaultdict[str, set[int]]
 
 
 @pytest.fixture(scope="module")
@@ -22,91 +21,78 @@ def model() -> Json:
     return model_of_documents()
 
 
-def test_the_source_of_a_message_is_about_its_command(facts: Json, model: Json) -> None:
+def touches(ranges: Iterable[tuple[int, int]], lines: set[int]) -> bool:
+    return any(first <= line <= last for first, last in ranges for line in lines)
+
+
+def test_the_source_of_a_message_is_about_its_command(model: Json) -> None:
     """Each range of lines names the command, or is in its list, its table or its errata."""
-    mentioned = {name: set(lines) for name, lines in facts["mentions"].items()}
-    lines: defaultdict[str, set[int]] = defaultdict(set)
-    for fact in (*facts["bodies"], *facts["rows"]):
+    mentioned, listed = Lines(set), Lines(set)
+    for name, found in TEXT["mentions"].items():
+        for command in {name, name.removesuffix("_3")}:
+            mentioned[command] |= set(found)
+    for fact in (*TEXT["bodies"], *TEXT["rows"]):
         for command in fact.get("commands", [fact.get("command")]):
             own = {one["line"] for one in (fact, *fact.get("fields", []))}
-            lines[command.removesuffix("_3")] |= own
-    codes = {code["line"] for code in facts["codes"]}
+            listed[command.removesuffix("_3")] |= own
+    codes = {code["line"] for code in TEXT["codes"]}
     errata = {e["number"]: e["lines"] for e in model["errata"]}
     with_codes = {
         message["command"]
         for message in model["messages"]
         if any(leaf["spec_name"] == "ERR_CODE" for leaf in message["layout"])
-    } | {code["command"] for code in facts["codes"]}
+    } | {code["command"] for code in TEXT["codes"]}
     for message in model["messages"]:
-        name = message["command"]
-        about = mentioned.get(name, set()) | mentioned.get(f"{name}_3", set())
-        ranges = parse_lines(message["source"])
-        if not ranges and message["source"] == LATER:  # test_documents.py compares those
+        if message["source"] == LATER:  # test_documents.py compares those
             continue
-        assert ranges, f"{message['name']}: no lines in '{message['source']}'"
-        wanted = about | lines[name.removesuffix("_3")]
-        if name in with_codes:
-            wanted |= codes
-        for number in message["errata"]:
-            wanted = wanted | {int(line[1:]) for line in errata[number]}
-        for first, last in ranges:
-            inside = any(first <= line <= last for line in wanted)
-            assert inside, f"{message['name']}: nothing about {name} in L{first}-L{last}"
-        assert any(
-            first <= line <= last for first, last in ranges for line in about
-        ), f"{message['name']}: no line of its source names {name}"
+        command = message["command"]
+        ranges = parse_lines(message["source"])
+        assert touches(ranges, mentioned[command]), f"{message['name']}: no line names {command}"
+        wanted = mentioned[command] | listed[command.removesuffix("_3")]
+        wanted |= codes if command in with_codes else set()
+        wanted |= {int(line[1:]) for number in message["errata"] for line in errata[number]}
+        for lines in ranges:
+            assert touches([lines], wanted), f"{message['name']}: nothing about it in {lines}"
 
 
-def test_the_source_of_an_enum_holds_its_values(facts: Json, model: Json) -> None:
+def test_the_source_of_an_enum_holds_its_values(model: Json) -> None:
     """One of its lines has a named value, or the field with the enum as its type."""
-    constants: defaultdict[str, set[int]] = defaultdict(set)
-    fields: defaultdict[str, set[int]] = defaultdict(set)
-    in_rows = [constant for row in facts["rows"] for constant in row.get("constants", [])]
-    for fact in (*in_rows, *facts["codes"], *facts["variables"], *facts["defines"]):
+    constants, fields = Lines(set), Lines(set)
+    in_rows = [constant for row in TEXT["rows"] for constant in row.get("constants", [])]
+    for fact in (*in_rows, *TEXT["codes"], *TEXT["variables"], *TEXT["defines"]):
         constants[fact["name"]].add(fact["line"])
-    in_bodies = [field for body in facts["bodies"] for field in body["fields"]]
-    for fact in (*facts["rows"], *in_bodies):
+    in_bodies = [field for body in TEXT["bodies"] for field in body["fields"]]
+    for fact in (*TEXT["rows"], *in_bodies):
         for name in fact.get("names", [fact.get("name", "")]):
             fields[name.partition("[")[0]] |= {fact["line"], *fact.get("more_lines", [])}
     users = _fields_by_enum(model)
     for enum in model["enums"]:
-        about: set[int] = set()
-        for value in enum["values"]:
-            about |= constants[value["name"]]
-        for name in users[enum["name"]]:
-            about |= fields[name]
-        ranges = parse_lines(enum["source"])
-        if not ranges and enum["source"] == LATER:  # test_documents.py compares those
+        if enum["source"] == LATER:  # test_documents.py compares those
             continue
-        inside = any(first <= line <= last for first, last in ranges for line in about)
+        about = [constants[value["name"]] for value in enum["values"]]
+        about += [fields[name] for name in users[enum["name"]]]
+        inside = touches(parse_lines(enum["source"]), set().union(*about))
         assert inside, f"{enum['name']}: none of its values in '{enum['source']}'"
 
 
 def _fields_by_enum(model: Json) -> defaultdict[str, set[str]]:
     """Returns the names of the fields that have an enum as their type, or as the type of a part."""
     users: defaultdict[str, set[str]] = defaultdict(set)
-    parts = {p["name"]: p for p in model["packed"]}
-    for message in model["messages"]:
-        leaves = [leaf for top in message["layout"] for leaf in [top, *top.get("cases", [])]]
-        for leaf in leaves:
-            packed = parts.get(leaf.get("packed", ""), {"parts": []})
-            names = {leaf["enum"], *(part["enum"] for part in packed["parts"])}
-            for name in names - {None}:
-                users[name].add(leaf["spec_name"])
-                if leaf["path"].startswith("config."):
-                    users[name].add("CONFIG")
+    parts = {p["name"]: p["parts"] for p in model["packed"]}
+    leaves = [leaf for message in model["messages"] for leaf in message["layout"]]
+    for leaf in [one for top in leaves for one in (top, *top.get("cases", []))]:
+        packed = parts.get(leaf.get("packed", ""), [])
+        for name in {leaf["enum"], *(part["enum"] for part in packed)} - {None}:
+            users[name].add(leaf["spec_name"])
+            if leaf["path"].startswith("config."):
+                users[name].add("CONFIG")
     return users
 
 
-def test_every_source_lies_in_the_text(facts: Json) -> None:
+def test_every_source_lies_in_the_text() -> None:
     layout = project_layout()
-    last = facts["specification"]["lines"]
-    things: list[tuple[str, str]] = [
-        *((m.name, m.source) for m in layout.messages),
-        *((e.name, e.source) for e in layout.enums),
-        *((p.name, p.source) for p in layout.packed),
-        *((c.name, c.source) for c in layout.commands),
-    ]
-    for name, source in things:
-        for first, end in parse_lines(source):
-            assert 1 <= first <= end <= last, f"{name}: L{first}-L{end}"
+    last = TEXT["specification"]["lines"]
+    things: list[Any] = [*layout.messages, *layout.enums, *layout.packed, *layout.commands]
+    for thing in things:
+        for first, end in parse_lines(thing.source):
+            assert 1 <= first <= end <= last, f"{thing.name}: L{first}-L{end}"

@@ -5,9 +5,6 @@ from __future__ import annotations
 from fractions import Fraction
 from pathlib import Path
 
-import pytest
-
-from sbgcgen.spec.resolve.types import parse_bits
 from support import layout_of
 
 WIDE = """\
@@ -99,10 +96,3 @@ def test_value_of_a_variable_in_steps_of_the_setting_is_always_exact(tmp_path: P
     (setting,) = variable.settings
     assert setting.special == ()
     assert [setting.count(v) for v in (-1, 0, 1, 100)] == [-1, 0, 1, 100]
-
-
-@pytest.mark.parametrize(
-    ("text", "bits"), [(3, (3, 3)), ("3", (3, 3)), ("0..2", (0, 2)), ("6..7", (6, 7))]
-)
-def test_bits(text: int | str, bits: tuple[int, int]) -> None:
-    assert parse_bits(text) == bits
