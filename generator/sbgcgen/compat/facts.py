@@ -23,7 +23,7 @@ def compare_line(layouts: Pair) -> None:
 
 
 def compare_checksums(framings: Pair) -> None:
-    """Compare those of the same name; the header and trailer tell of others."""
+    """Compare checksums of the same name; the header and the trailer have the names of all."""
     for checksum in framings.new.checksums:
         old = framings.old.checksum(checksum.name)
         if old is not None:
@@ -57,7 +57,7 @@ def _content(thing: Quantity | Enum | Packed | Struct) -> Any:
 
 @dataclass(frozen=True)
 class Types(Each):
-    """Named types: the report begins with their names, and calls those of both versions by the new one."""
+    """Named types. Changes of names are reported first; others call a type by its new name."""
 
     content: Getter = _content
 
@@ -82,14 +82,14 @@ def is_alias(old: EnumValue, new: EnumValue) -> bool:
 
 
 def if_type_is_another(old: Type, new: Type) -> Level | None:
-    """The named types report what differs in one of them."""
+    """The type has another name or class; two versions of one named type are compared elsewhere."""
     name = getattr(old, "name", None)
     is_known = name is not None and name == getattr(new, "name", None) and type(old) is type(new)
     return None if is_known else WIRE
 
 
 def if_unit_is_lost(old: Type, new: Type) -> Level | None:
-    """The content of another quantity is compared."""
+    """A number has no unit any more; `Replaced` compares the units of two quantities."""
     is_lost = isinstance(old, Quantity) and not isinstance(new, Quantity)
     return MEANING if is_lost and wire_type(old) == wire_type(new) else None
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Optional
 
-from sbgcgen.compat.changes import COMPATIBLE, MEANING, SOURCE, WIRE
-from sbgcgen.compat.difference import Each, Level, Pair, Row
+from sbgcgen.compat.changes import COMPATIBLE, MEANING, SOURCE, WIRE, Level
+from sbgcgen.compat.difference import Each, Pair, Row
 from sbgcgen.compat.fields import compare_fields, compare_rules
 from sbgcgen.compat.wire import places
 from sbgcgen.model import Answer, AnswerCase, Command, Effect, EffectCase, Message, Until
@@ -95,7 +95,7 @@ def contexts(message: Message) -> list[object]:
 
 
 def sources(message: Message) -> list[object]:
-    """The messages from which it knows these facts."""
+    """Where these facts come from."""
     return [(c.sources, c.announced) for c in message.contexts]
 
 

@@ -14,7 +14,8 @@ from sbgcgen.compat.changes import COMPATIBLE, MEANING, SOURCE, WIRE, Level
 from sbgcgen.compat.difference import Each, Replaced, Row, Severity, Table, Values, rows
 from sbgcgen.compat.fields import compare_structs
 from sbgcgen.compat.wire import cut, times, wire_type
-from sbgcgen.compat.words import cut_text, direction_text, range_text, type_text, when_text
+from sbgcgen.compat.words import cut_text, direction_text, index_text, range_text, type_text
+from sbgcgen.compat.words import when_text
 from sbgcgen.model import Answer, AnswerCase, AxisDirection, Checksum, Command, EffectKind, Enum
 from sbgcgen.model import EnumValue, Field, Framing, Layout, Line, Message, Packed, Part, Quantity
 from sbgcgen.model import Revision, Role, Struct, Variable
@@ -42,8 +43,9 @@ def if_fewer(old: Any, new: Any) -> Level:
     return MEANING if set(old) - set(new) else COMPATIBLE
 
 
-def if_cut_differs(old: Part | None, new: Part | None) -> Level | None:
-    return WIRE if cut(old) != cut(new) else None
+def if_other(level: Level) -> Severity:
+    """The severity `level` if the fact on which it depends has changed, too."""
+    return lambda old, new: level if old != new else None
 
 
 def if_narrower(old: Any, new: Any) -> Level | None:
@@ -58,7 +60,7 @@ def if_narrower(old: Any, new: Any) -> Level | None:
 SUMMARY = Row("summary", COMPATIBLE)
 DEPRECATED = Row("deprecated", COMPATIBLE, text=bool)
 SCALAR = Row("type", WIRE, "scalar.name")
-# Who does not need the new version is not affected by a later one only.
+# Only a later version than before breaks the meaning.
 SINCE = Row("since", lambda old, new: MEANING if new.is_after(old) else COMPATIBLE)
 NEEDS = Row("needs", if_new(MEANING))
 
@@ -133,7 +135,7 @@ TABLES: dict[type, Table] = {
         messages.compare_answers,
         messages.compare_effects,
         Row("stops", MEANING, messages.stops),
-        Row("role", if_old(MEANING), "role.kind"),
+        Row("role", if_old(MEANING), "role.kind", by="role"),
         messages.compare_roles,
         Row("stores", MEANING, is_name=True),
         SINCE,
@@ -169,10 +171,12 @@ TABLES: dict[type, Table] = {
         Row("unit", facts.if_unit_is_lost, "type", facts.unit_text),
         Replaced("type", CONTENT),
         Row("elements", WIRE, times),
-        Row("index", SOURCE, lambda f: ", ".join(f.index) or f.count, alike=times),
+        Row("index", if_other(SOURCE), index_text, by=lambda f: (f.dim, f.index), alike=times),
         Row("counted by", WIRE, "counter", is_name=True),
         Row("counted in", WIRE, "counting"),
-        Row("counted by part", if_cut_differs, "counter_part.name", by="counter_part"),
+        Row(
+            "counted by part", if_other(WIRE), "counter_part.name", by=lambda f: cut(f.counter_part)
+        ),
         *rows(WIRE, "may be absent: appended", "is present if it fits: fits"),
         Row("is hidden in text and JSON", MEANING, "secret"),
         *rows(COMPATIBLE, "name in saved files: saved_as", "number in saved files: saved_in"),

@@ -23,6 +23,11 @@ def form_text(field: Field) -> str:
     return type_text(field.type) + (f"[{field.count or ''}]" if field.dim != "one" else "")
 
 
+def index_text(field: Field) -> str:
+    """The names of the elements, or their number."""
+    return ", ".join(field.index) or str(field.count)
+
+
 def place_text(place: Place) -> str:
     """For example "byte 4", "byte 0 after 1 variable parts"."""
     after = f" after {len(place) // 2} variable parts" if len(place) > 1 else ""
