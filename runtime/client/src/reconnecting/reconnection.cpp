@@ -72,7 +72,7 @@ Result<void> Reconnection::start() {
 
 void Reconnection::start(std::shared_ptr<Link> previous, const Completion<Result<void>>& done) {
   auto connect_and_run = [self = shared_from_this(), previous = std::move(previous),
-                          done]() mutable {
+                          done = Completion<Result<void>>(done)]() mutable {
     previous.reset();
     Result<void> connected = self->connect_first();
     const bool is_connected = bool(connected);
