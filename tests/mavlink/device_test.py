@@ -134,9 +134,10 @@ def test_yaw_takes_the_short_way_within_the_limits(limit: int, way: int) -> None
 @pytest.mark.parametrize("flags", [FOLLOW, LOCK])
 def test_a_rate_ends_after_half_a_second(flags: int, autopilot: Station, gimbal: Gimbal) -> None:
     autopilot.fly(1, autopilot.aim(rates=(nan, 0.2, -0.3), flags=flags))
-    status = autopilot.last(STATUS)
-    found = status.angular_velocity_y, status.angular_velocity_z
-    assert found == pytest.approx((0.2, -0.3), abs=0.05)
+    # On a busy machine, the rate of some is taken over another time.
+    recent = [one.values for one in autopilot.all(STATUS)[-5:]]
+    assert median(one.angular_velocity_y for one in recent) == pytest.approx(0.2, abs=0.05)
+    assert median(one.angular_velocity_z for one in recent) == pytest.approx(-0.3, abs=0.05)
     up, right = gimbal.up, gimbal.right
     assert 6 < up < 16 and -24 < right < -9
     autopilot.fly(1.2)

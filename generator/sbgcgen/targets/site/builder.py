@@ -52,7 +52,7 @@ def _add(field: Field, before: str, facts: dict[str, Any], enums: dict[str, Any]
         elif fact := _fact(field, enums):
             facts[one] = fact
     if attribute_name(field.name) != field.name:
-        facts[path]["attribute"] = attribute_name(field.name)
+        facts.setdefault(path, {})["attribute"] = attribute_name(field.name)
 
 
 def _fact(field: Field, enums: dict[str, Any]) -> dict[str, Any]:
