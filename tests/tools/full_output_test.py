@@ -19,7 +19,7 @@ import pytest
 from emulated_gimbal import EmulatedGimbal, emulated_gimbal
 from full_output import KINDS, Output, full_output
 from gimbal_observer import Observer
-from relay import relay_to
+from relay import frames_in, relay_to
 from sbgc_command import PROGRAM, frame, run
 
 CONTROL = 67
@@ -71,15 +71,16 @@ class Board:
     def __init__(self, gimbal: EmulatedGimbal) -> None:
         self.gimbal = gimbal
         self.address = ""
-        self.arrived: list[tuple[float, bytes]] = []
+        self.arrived: list[tuple[float, int, bytes]] = []
 
     def add(self, data: bytes) -> bytes:
-        self.arrived.append((time.monotonic(), data))
+        now = time.monotonic()
+        self.arrived += [(now, command, body) for command, body in frames_in(data)]
         return data
 
     def await_command(self, command: int) -> None:
         deadline = time.monotonic() + PATIENCE
-        while all(data[1] != command for _, data in self.arrived):
+        while all(command != one for _, one, _ in self.arrived):
             assert time.monotonic() < deadline, f"command {command} does not arrive"
             time.sleep(0.01)
 
@@ -87,19 +88,20 @@ class Board:
         """Returns the seconds until speed 0 for all axes arrived."""
         deadline = begin + PATIENCE
         while time.monotonic() < deadline:
-            for when, data in self.arrived:
-                if when >= begin and is_stop(data):
+            for when, command, body in self.arrived:
+                if when >= begin and command == CONTROL and is_stop(body):
                     return when - begin
             time.sleep(0.01)
         raise AssertionError("no stop arrives")
 
 
-def is_stop(data: bytes) -> bool:
-    """True for CMD_CONTROL with MODE_SPEED and speed 0 on all axes."""
+def is_stop(body: bytes) -> bool:
+    """True for a body of CMD_CONTROL with MODE_SPEED and speed 0 on all axes."""
     mode_speed = 1
-    modes, axes = data[4:-13], data[-13:-1]
-    is_speed = data[1] == CONTROL and all(mode == mode_speed for mode in modes)
-    return is_speed and all(axes[at : at + 2] == b"\0\0" for at in (0, 4, 8))
+    modes, axes = body[:-12], body[-12:]
+    return all(mode == mode_speed for mode in modes) and all(
+        axes[at : at + 2] == b"\0\0" for at in (0, 4, 8)
+    )
 
 
 @contextmanager

@@ -17,22 +17,12 @@ from pathlib import Path
 
 import pytest
 from emulated_gimbal import EmulatedGimbal, emulated_gimbal
-from relay import relay_to
+from relay import frames_in, relay_to
 from sbgc_command import PROGRAM, run
 
 RUNS = int(os.environ.get("SBGC_KILLS", "8"))
 PARTS = 24
 START, WRITE = 78, 81
-
-
-def frames_in(data: bytes) -> Iterator[tuple[int, bytes]]:
-    """The ids and bodies of whole frames of either framing."""
-    at = 0
-    while at + 4 < len(data):
-        command, size = data[at + 1], data[at + 2]
-        assert data[at : at + 1] in (b">", b"$") and data[at + 3] == (command + size) % 256
-        yield command, data[at + 4 : at + 4 + size]
-        at += 4 + size + (1 if data[at : at + 1] == b">" else 2)
 
 
 class Line:

@@ -10,6 +10,16 @@ from contextlib import contextmanager, suppress
 Change = Callable[[bytes], bytes]
 
 
+def frames_in(data: bytes) -> Iterator[tuple[int, bytes]]:
+    """The ids and bodies of whole frames of either framing."""
+    at = 0
+    while at + 4 < len(data):
+        command, size = data[at + 1], data[at + 2]
+        assert data[at : at + 1] in (b">", b"$") and data[at + 3] == (command + size) % 256
+        yield command, data[at + 4 : at + 4 + size]
+        at += 4 + size + (1 if data[at : at + 1] == b">" else 2)
+
+
 def pass_on(source: socket.socket, target: socket.socket, change: Change) -> None:
     """Carries until one of them ends, and then ends the other."""
     try:
