@@ -193,7 +193,7 @@ async function stopFromOutside() {
     try {
       return await camera.stop();
     } catch (error) {
-      if (!error.message.includes("still turns")) throw error;
+      if (!/still turns|not come to rest/.test(error.message)) throw error;
     }
   }
 }
