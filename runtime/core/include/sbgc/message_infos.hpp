@@ -18,10 +18,11 @@ constexpr std::array<const MessageInfo*, sizeof...(Ms)> infos_of(TypeList<Ms...>
 
 }  // namespace detail
 
-/// All of them; <sbgc/any.hpp> has types of messages, which do more.
+/// The metadata of every message. <sbgc/any.hpp> also makes and decodes messages.
 inline constexpr auto message_infos = detail::infos_of(AllMessages{});
 
-/// As is_supported() of <sbgc/availability.hpp>, for a message that is known at run time.
+/// Returns the same as is_supported() of <sbgc/availability.hpp>, for a message that is known at
+/// run time.
 constexpr bool is_supported(const MessageInfo& info, const Availability& versions) noexcept {
   const bool has_end = info.until.firmware != 0 || info.until.board != 0;
   return is_available(info.since, versions) && !(has_end && is_available(info.until, versions));
