@@ -44,7 +44,6 @@ async function powerOn(firmware) {
   camera = await sdk.connect(Duplex.toWeb(net.connect(board.port, "127.0.0.1")));
 }
 
-const connected = (page) => page.getByText(/board 3\.\d, firmware/).first().waitFor({ timeout: 30_000 });
 async function comesTrue(holds, ms = 10_000) {
   for (let left = ms; left > 0; left -= 50) {
     if (holds()) return true;
@@ -72,16 +71,18 @@ async function withSerial(line, work) {
   }
 }
 
-/** A busy machine may answer too late for the search: then it is repeated. */
-async function connect(page) {
+/** A busy machine may answer too late for the search, or after it: then it is repeated. */
+async function connect(page, by = "Connect by USB or serial") {
   const found = page.getByText(/board 3\.\d, firmware/).first();
-  const failed = page.getByText("no board answers").first();
+  const problem = page.getByRole("region", { name: "Connect" }).locator("p.bad");
+  const problems = [];
   for (let i = 0; i < 5; ++i) {
-    await button(page, "Connect by USB or serial").click();
-    await found.or(failed).first().waitFor({ timeout: 60_000 });
+    await button(page, by).click();
+    await found.or(problem).first().waitFor({ timeout: 60_000 });
     if (await found.isVisible()) return;
+    problems.push(await problem.innerText());
   }
-  assert.fail("no board answers");
+  assert.fail(problems.join("; "));
 }
 
 async function arm(page) {
@@ -260,8 +261,7 @@ test("a bridge that serves the page is killed during motion: the camera brakes",
   const page = await context.newPage();
   try {
     await page.goto(bridge.found[1]);
-    await button(page, "Connect to the bridge").click();
-    await connected(page);
+    await connect(page, "Connect to the bridge");
     assert.ok(!page.url().includes("token"), page.url());
     await armAndTurn(page);
     bridge.child.kill("SIGKILL");
