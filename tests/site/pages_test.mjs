@@ -46,7 +46,7 @@ function samples() {
   const size = (name) => fs.statSync(path.join(site, name)).size;
   const kinds = new Map();
   for (const name of [...all].sort((a, b) => size(a) - size(b))) {
-    const kind = name.includes("/") ? path.dirname(name) : name;
+    const kind = name.split("/")[0];
     kinds.set(kind, [...(kinds.get(kind) ?? []), name]);
   }
   return [...kinds.values()].map((names) => names[names.length >> 1]);
@@ -99,8 +99,8 @@ test("a page that fails is noticed", inPage(async (page) => {
   assert.match((await page.evaluate(overflowing, 320)).join("\n"), /width: 400px/);
 }, { viewport: { width: 320, height: 600 } }));
 
-// These take long, and are tables like those of the units, the enums and the availability.
-const alike = ["messages.html", "variables.html"];
+// These take long, and are tables and lists like those of the units, the enums and the availability.
+const alike = ["headers.html", "messages.html", "variables.html"];
 // Only colors differ between the two looks of a page, and the largest pages have no colors of their own.
 const small = (names) => names.filter((name) => fs.statSync(path.join(site, name)).size < 90_000);
 for (const [colorScheme, width, names, rules] of [

@@ -10,7 +10,7 @@ import path from "node:path";
 import { Duplex } from "node:stream";
 import { after, before, test } from "node:test";
 
-import { button } from "./browsing.mjs";
+import { button, drawSeldom } from "./browsing.mjs";
 import { cables, gimbal, giveSerial, start } from "./serial.mjs";
 import { launch, packageIn, sbgc, serve, site } from "./support.mjs";
 
@@ -61,6 +61,7 @@ async function withSerial(line, work) {
   const context = await browser.newContext();
   const page = await context.newPage();
   try {
+    await context.addInitScript(drawSeldom);
     await giveSerial(context, server, ends.url);
     await page.goto(`${server.address}setup.html`);
     await connect(page);
