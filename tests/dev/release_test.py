@@ -111,13 +111,25 @@ def make(project: Path, *options: str, **settings: str) -> subprocess.CompletedP
     )
 
 
-def test_the_files_of_a_commit_are_the_same_everywhere(release: Path, tmp_path: Path) -> None:
+def released(project: Path, zone: str) -> Path:
+    """Makes the release; returns the folder with its files."""
+    done = make(project, TZ=zone)
+    assert done.returncode == 0, done.stderr
+    return project / "build" / f"release-{version()}"
+
+
+@pytest.fixture(name="made", scope="module")
+def release_of_the_tag(release: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    project = clone(release, tmp_path_factory.mktemp("made") / "project")
+    git(project, "tag", f"v{version()}")
+    return released(project, "UTC")
+
+
+def test_the_files_of_a_commit_are_the_same_everywhere(
+    release: Path, made: Path, tmp_path: Path
+) -> None:
     found = []
-    for place, zone in (("one", "UTC"), ("an/other", "Asia/Tokyo")):
-        project = clone(release, tmp_path / place)
-        done = make(project, TZ=zone)
-        assert done.returncode == 0, done.stderr
-        folder = project / "build" / f"release-{version()}"
+    for folder in (made, released(clone(release, tmp_path / "an/other"), "Asia/Tokyo")):
         subprocess.run(["sha256sum", "--check", "--quiet", "SHA256SUMS"], cwd=folder, check=True)
         found.append({path.name: path.read_bytes() for path in folder.iterdir()})
     archives = {
@@ -156,12 +168,8 @@ REQUIRED = {
 }
 
 
-def test_what_the_files_consist_of(project: Path) -> None:
-    git(project, "tag", f"v{version()}")
-    done = make(project)
-    assert done.returncode == 0, done.stderr
-    folder = project / "build" / f"release-{version()}"
-    told = json.loads((folder / f"sbgc-{version()}.spdx.json").read_text(encoding="utf-8"))
+def test_what_the_files_consist_of(made: Path) -> None:
+    told = json.loads((made / f"sbgc-{version()}.spdx.json").read_text(encoding="utf-8"))
     for key, names in REQUIRED.items():
         things = told[key] if key else told
         for thing in things if isinstance(things, list) else [things]:
@@ -174,7 +182,7 @@ def test_what_the_files_consist_of(project: Path) -> None:
         assert {relation["spdxElementId"], relation["relatedSpdxElement"]} <= set(ids)
     sums = {
         name: value
-        for value, name in map(str.split, (folder / "SHA256SUMS").read_text().splitlines())
+        for value, name in map(str.split, (made / "SHA256SUMS").read_text().splitlines())
     }
     del sums[f"sbgc-{version()}.spdx.json"]
     shown = {

@@ -85,6 +85,7 @@ def test_a_program_with_its_flags(component: str, moved: Path) -> None:
     run(build(HOSTS[-1], f"sbgc-{component}", "component.cpp", moved, uses))
 
 
+@pytest.mark.long
 def test_asynchronous_functions_with_all_completion_tokens(moved: Path) -> None:
     """With g++ 12, which mishandles temporaries in co_await expressions."""
     run(build("g++", "sbgc-client", "tokens.cpp", moved, "-fsanitize=address"))

@@ -63,6 +63,7 @@ PYRIGHT = HERE.parent / "site" / "node_modules" / "pyright" / "index.js"
 NODE = shutil.which("node")
 
 
+@pytest.mark.long
 @pytest.mark.skipif(NODE is None or not PYRIGHT.exists(), reason="./dev test debug installs it")
 def test_pyright_finds_nothing(tmp_path: Path) -> None:
     # Folders of a project, because it does not check those of libraries.

@@ -87,6 +87,8 @@ export const looks = ["light", "dark"].flatMap((colorScheme) =>
 
 /** Fails if axe-core finds something, or the page is wider than its window. */
 export async function checkLook(page, what = "") {
-  assert.deepEqual(await axeProblems(page), [], what);
+  // Only colors differ between the two.
+  const isDark = await page.evaluate(() => matchMedia("(prefers-color-scheme: dark)").matches);
+  assert.deepEqual(await axeProblems(page, "html", isDark ? ["color-contrast"] : undefined), [], what);
   assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), page.viewportSize().width, what);
 }

@@ -295,10 +295,12 @@ def typed(first: str) -> list[str]:
     return [f"\\{first}", *([] if first in "'\\" else [f"'{first}"])]
 
 
-@pytest.mark.parametrize("name", NAMES)
-def test_a_completed_name_is_one_argument(shell: Shell, name: str) -> None:
+@pytest.mark.parametrize("number,name", enumerate(NAMES), ids=NAMES)
+def test_a_completed_name_is_one_argument(shell: Shell, number: int, name: str) -> None:
+    """The first names begin in all ways; of the others, each in the next one."""
     write_ports(shell.folder, {"name": name})
-    for way in typed(name[0]):
+    ways = typed(name[0])
+    for way in ways if number < 3 else [ways[number % len(ways)]]:
         arguments = shell.press(f"sbgc info -p {way}\t")
         assert arguments == ["info", "-p", name], (way, shell.shown)
         assert not (shell.folder / "P").exists()
