@@ -8,8 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <sbgc/any.hpp>
 #include <sbgc/client/raw_request.hpp>
-#include <sbgc/meta/all.hpp>
 #include <sbgc/responses/all.hpp>
 #include <sbgc/surplus.hpp>
 
@@ -21,25 +21,25 @@ namespace {
 
 TEST(RawRequest, HasThePolicyOfItsMessageAlsoWithSurplus) {
   int count = 0;
-  AllMessages::for_each([&]<class M>(Type<M>) {
-    if constexpr (takes_surplus<M>) {
-      SCOPED_TRACE(Meta<M>::info.name);
-      ++count;
-      std::array<std::uint8_t, max_body_size> body{};
-      ASSERT_TRUE(encode(M{}, body));
-      for (const std::size_t size : {M::max_size + 1, max_body_size}) {
-        const auto request = raw_request(Meta<M>::info.id, std::span(body).first(size));
-        ASSERT_TRUE(request);
-        EXPECT_EQ(request->body.size(), size);
-        const ResponsePolicy expected = response_policy(M{});
-        EXPECT_EQ(request->policy.responses, expected.responses);
-        EXPECT_EQ(request->policy.stops, expected.stops);
-        EXPECT_EQ(request->policy.restarts_board, expected.restarts_board);
-        EXPECT_EQ(request->policy.confirmations, expected.confirmations);
-        EXPECT_EQ(request->policy.timeout_ms, expected.timeout_ms);
-      }
+  for (const MessageType* const type : message_types()) {
+    if (!type->operations->takes_surplus) continue;
+    SCOPED_TRACE(type->info->name);
+    ++count;
+    const AnyMessage message = type->make();
+    const ResponsePolicy expected = detail::policy_of(message);
+    std::array<std::uint8_t, max_body_size> body{};
+    ASSERT_TRUE(message.encode(body));
+    for (const std::size_t size : {type->info->max_size + 1, max_body_size}) {
+      const auto request = raw_request(type->info->id, std::span(body).first(size));
+      ASSERT_TRUE(request);
+      EXPECT_EQ(request->body.size(), size);
+      EXPECT_EQ(request->policy.responses, expected.responses);
+      EXPECT_EQ(request->policy.stops, expected.stops);
+      EXPECT_EQ(request->policy.restarts_board, expected.restarts_board);
+      EXPECT_EQ(request->policy.confirmations, expected.confirmations);
+      EXPECT_EQ(request->policy.timeout_ms, expected.timeout_ms);
     }
-  });
+  }
   EXPECT_GT(count, 50);
 }
 

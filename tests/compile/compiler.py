@@ -12,7 +12,7 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 INCLUDES = [*ROOT.glob("runtime/*/include"), ROOT / "generated/include"]
 COMPILERS = [name for name in ("g++", "clang++") if shutil.which(name)]
-# For tests of all messages at once, for which compilers seldom differ: only the long run has both.
+# For tests that compile much, or many programs: compilers seldom differ in them, and only the long run has both.
 LAST_COMPILER = [
     pytest.param(name, marks=[] if name == COMPILERS[-1] else [pytest.mark.long])
     for name in COMPILERS

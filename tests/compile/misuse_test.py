@@ -87,7 +87,7 @@ def errors_of(compiler: Compiler, source: str) -> list[str]:
     return errors
 
 
-@pytest.fixture(name="compiler", params=COMPILERS, scope="module")
+@pytest.fixture(name="compiler", params=LAST_COMPILER, scope="module")
 def each_compiler(
     request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
 ) -> Compiler:
@@ -235,7 +235,7 @@ static_assert(!std::is_convertible_v<int, msg::Angle14>);
 """
 
 
-@pytest.fixture(name="of_literals", params=COMPILERS, scope="module")
+@pytest.fixture(name="of_literals", params=LAST_COMPILER, scope="module")
 def compiler_of_literals(
     request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
 ) -> Compiler:

@@ -21,7 +21,7 @@
 #include <sbgc/client/conversation.hpp>
 #include <sbgc/emulator/emulator.hpp>
 #include <sbgc/messages.hpp>
-#include <sbgc/meta/all.hpp>
+#include <sbgc/message_infos.hpp>
 #include <sbgc/parser.hpp>
 
 #include "conversation/dialogue.hpp"
@@ -326,11 +326,9 @@ std::vector<Request> all_requests() {
 TEST(BridgeTransparency, EachRequestOfTheModelIsTested) {
   std::set<std::string> names;
   for (const Request& request : all_requests()) names.insert(request.name);
-  AllMessages::for_each([&]<class M>(Type<M>) {
-    if constexpr (M::direction != Direction::from_board) {
-      EXPECT_THAT(names, Contains(Meta<M>::info.name));
-    }
-  });
+  for (const MessageInfo* const info : message_infos) {
+    if (info->direction != Direction::from_board) EXPECT_THAT(names, Contains(info->name));
+  }
 }
 
 TEST(BridgeTransparency, EachRequestAloneIsAnsweredWithTheSameBytes) {

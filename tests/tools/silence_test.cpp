@@ -16,9 +16,8 @@
 
 #include <sbgc/any.hpp>
 #include <sbgc/client/calibrations.hpp>
+#include <sbgc/client/request.hpp>
 #include <sbgc/client/tasks.hpp>
-#include <sbgc/dispatch.hpp>
-#include <sbgc/responses/all.hpp>
 #include <sbgc/roles.hpp>
 
 #include "../client/virtual_client.hpp"
@@ -58,14 +57,11 @@ class LosingLine : public test::VirtualLine {
 
  private:
   static bool may_leave_out(std::uint8_t command) {
-    bool result = false;
-    AllMessages::for_each([&]<class M>(Type<M>) {
-      if constexpr (M::direction != Direction::from_board) {
-        const bool is_it = static_cast<std::uint8_t>(M::command) == command;
-        result = result || (is_it && response_policy(M{}).responses.confirmed != Confirmed::always);
-      }
+    const auto types = message_types();
+    return std::any_of(types.begin(), types.end(), [&](const MessageType* type) {
+      return type->is_sent_to_board() && type->info->id == command &&
+             detail::policy_of(type->make()).responses.confirmed != Confirmed::always;
     });
-    return result;
   }
 
   Loss loss_ = Loss::none;

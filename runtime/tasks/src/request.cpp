@@ -97,8 +97,8 @@ bool is_motion(const ResponsePolicy& policy, Effects effects) {
   return policy.stops || (policy.moves && (effects.raw() & ~motion.raw()) == 0);
 }
 
-/// Returns the policy of a request whose type is known only at run time; an empty one for a message
-/// from the board.
+}  // namespace
+
 ResponsePolicy policy_of(const AnyMessage& message) {
   ResponsePolicy policy;
   AllMessages::for_each([&]<class M>(Type<M>) {
@@ -108,8 +108,6 @@ ResponsePolicy policy_of(const AnyMessage& message) {
   });
   return policy;
 }
-
-}  // namespace
 
 Result<Request> prepare(const AnyMessage& message, const Availability& versions, bool validate) {
   const MessageType& type = message.type();

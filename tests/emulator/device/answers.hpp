@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
+#include <sbgc/any.hpp>
 #include <sbgc/response_policy.hpp>
 
 #include "host.hpp"
@@ -20,5 +22,8 @@ enum class Comes : std::uint8_t {
 /// policy.
 void expect_as_modelled(Host& host, const ResponsePolicy& policy,
                         std::span<const std::uint8_t> frame, Comes comes);
+
+/// The same for a message.
+void expect_as_modelled(Host& host, const AnyMessage& request, Comes comes);
 
 }  // namespace sbgc::test

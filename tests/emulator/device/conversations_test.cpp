@@ -232,16 +232,8 @@ class Player {
       words.erase(words.begin(), begin + (has_options ? 1 : 0));
     }
     const AnyMessage request = made(words);
-    ResponsePolicy policy;
-    AllMessages::for_each([&]<class M>(Type<M>) {
-      if constexpr (M::direction != Direction::from_board) {
-        if (const auto* const typed = request.get_if<M>()) {
-          policy = response_policy(static_cast<const M&>(*typed));
-        }
-      }
-    });
     const std::string comes = open.empty() ? "" : open[0];
-    expect_as_modelled(host(), policy, frame_bytes(request),
+    expect_as_modelled(host(), request,
                        comes == "confirmation" ? Comes::confirmation
                        : comes == "nothing"    ? Comes::nothing
                                                : Comes::as_modelled);

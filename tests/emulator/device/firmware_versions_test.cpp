@@ -9,8 +9,11 @@
 #include <string>
 #include <type_traits>
 
+#include <sbgc/any.hpp>
 #include <sbgc/availability.hpp>
+#include <sbgc/client/request.hpp>
 #include <sbgc/dispatch.hpp>
+#include <sbgc/message_infos.hpp>
 #include <sbgc/meta/all.hpp>
 #include <sbgc/meta/variables.hpp>
 #include <sbgc/parameters.hpp>
@@ -35,19 +38,16 @@ emulator::BoardOptions board_with(std::uint16_t firmware) {
 
 /// Fails the test unless a board with these versions may send the packet.
 void expect_sendable(const Packet& packet, const Availability& versions) {
-  const Code code =
-      select(Direction::from_board, packet.id, packet.body.size(), [&]<class M>(Type<M>) {
-        SCOPED_TRACE(Meta<M>::info.name);
-        // Old requests have the responses of newer ones (E020, E120).
-        EXPECT_TRUE(is_supported<M>(versions));
-        if constexpr (!detail::HasContext<M>) {
-          M message{};
-          ASSERT_TRUE(decode(std::span(packet.body), message));
-          validate(message, versions,
+  const MessageType* const type =
+      find_message(Direction::from_board, packet.id, packet.body.size());
+  ASSERT_NE(type, nullptr) << int{packet.id};
+  SCOPED_TRACE(type->info->name);
+  // Old requests have the responses of newer ones (E020, E120).
+  EXPECT_TRUE(is_supported(*type->info, versions));
+  AnyMessage message = type->make();
+  ASSERT_TRUE(message.decode(packet.body));
+  message.validate(versions,
                    [](const Violation& violation) { ADD_FAILURE() << to_string(violation); });
-        }
-      });
-  EXPECT_EQ(code, Code::ok) << int{packet.id};
 }
 
 bool is_refusal(const Packets& packets, msg::BoardErrorCode reason) {
@@ -65,35 +65,34 @@ TEST_P(EachFirmware, AnswersWhatItKnowsAndNothingElse) {
   // A form of later firmware may also be an earlier one with surplus.
   emulator::BoardOptions strict = options;
   strict.is_strict = true;
-  AllMessages::for_each([&]<class M>(Type<M>) {
-    if constexpr (M::direction != Direction::from_board) {
-      SCOPED_TRACE(Meta<M>::info.name);
-      Host host(strict);
-      const M request = any_request<M>();
-      const ResponsePolicy policy = response_policy(request);
-      const Packets packets = host.ask(request, milliseconds(60));
-      const auto& counters = host.board.counters();
-      if (!is_supported<M>(versions)) {
-        EXPECT_EQ(counters.unknown, 1U);
-        EXPECT_TRUE(is_refusal(packets, msg::BoardErrorCode::unknown_command) ||
-                    is_refusal(packets, msg::BoardErrorCode::cmd_size));
-        return;
-      }
-      EXPECT_EQ(counters.unknown, 0U);
-      for (const Packet& one : packets) expect_sendable(one, versions);
-      // An answer that is certain comes, or the board says why not. There are no external motors in
-      // the request.
-      if (std::is_same_v<M, msg::ExtMotorsStateRequest>) return;
-      const bool is_refused = counters.refused != 0;
-      bool is_answered = false;
-      for (const Packet& one : packets) {
-        is_answered = is_answered || policy.responses.form_of({one.id, one.body}) != nullptr;
-      }
-      if (policy.response_required && !is_refused) {
-        EXPECT_TRUE(is_answered);
-      }
+  for (const MessageType* const type : message_types()) {
+    if (!type->is_sent_to_board()) continue;
+    SCOPED_TRACE(type->info->name);
+    Host host(strict);
+    const AnyMessage request = any_request(*type);
+    const ResponsePolicy policy = detail::policy_of(request);
+    const Packets packets = host.ask(request, milliseconds(60));
+    const auto& counters = host.board.counters();
+    if (!is_supported(*type->info, versions)) {
+      EXPECT_EQ(counters.unknown, 1U);
+      EXPECT_TRUE(is_refusal(packets, msg::BoardErrorCode::unknown_command) ||
+                  is_refusal(packets, msg::BoardErrorCode::cmd_size));
+      continue;
     }
-  });
+    EXPECT_EQ(counters.unknown, 0U);
+    for (const Packet& one : packets) expect_sendable(one, versions);
+    // An answer that is certain comes, or the board says why not. There are no external motors in
+    // the request.
+    if (request.get_if<msg::ExtMotorsStateRequest>() != nullptr) continue;
+    const bool is_refused = counters.refused != 0;
+    bool is_answered = false;
+    for (const Packet& one : packets) {
+      is_answered = is_answered || policy.responses.form_of({one.id, one.body}) != nullptr;
+    }
+    if (policy.response_required && !is_refused) {
+      EXPECT_TRUE(is_answered);
+    }
+  }
 }
 
 TEST_P(EachFirmware, SendsSamplesThatItHas) {

@@ -12,6 +12,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <sbgc/any.hpp>
 #include <sbgc/emulator/board.hpp>
 #include <sbgc/message.hpp>
 #include <sbgc/messages.hpp>
@@ -59,13 +60,12 @@ std::vector<M> all(const Packets& packets) {
 
 /// Returns a request with the values of a new message or, if that has no body, with as few elements
 /// as possible.
-template <Message M>
-M any_request() {
-  M request{};
+inline AnyMessage any_request(const MessageType& type) {
+  AnyMessage request = type.make();
   std::array<std::uint8_t, max_body_size> body{};
-  if (encode(request, body)) return request;
+  if (request.encode(body)) return request;
   body = {};
-  EXPECT_TRUE(decode(std::span<const std::uint8_t>(body).first(M::min_size), request));
+  EXPECT_TRUE(request.decode(std::span<const std::uint8_t>(body).first(type.info->min_size)));
   return request;
 }
 
@@ -107,9 +107,15 @@ class Host {
     ASSERT_TRUE(written);
     send_bytes(std::span(frame).first(written.size));
   }
+  void send(const AnyMessage& message) {
+    std::array<std::uint8_t, max_frame_size> frame{};
+    const WriteResult written = message.encode_frame(framing, frame);
+    ASSERT_TRUE(written);
+    send_bytes(std::span(frame).first(written.size));
+  }
 
   /// Sends a request and waits; returns the packets that arrive meanwhile.
-  template <Message M>
+  template <class M>
   Packets ask(const M& request, Duration wait = milliseconds(50)) {
     send(request);
     return listen(wait);

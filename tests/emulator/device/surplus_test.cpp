@@ -9,9 +9,8 @@
 #include <string>
 #include <vector>
 
-#include <sbgc/dispatch.hpp>
+#include <sbgc/any.hpp>
 #include <sbgc/json_dom.hpp>
-#include <sbgc/meta/all.hpp>
 
 #include "host.hpp"
 #include "random_input.hpp"
@@ -59,12 +58,6 @@ class Requests {
     for (const Json& message : model["messages"]) {
       if (message["direction"] == "to_board") forms_[message["id"]].push_back(message);
     }
-    AllMessages::for_each([this]<class M>(Type<M>) {
-      decoders_[Meta<M>::info.name] = [](std::span<const std::uint8_t> body) {
-        M message{};
-        return static_cast<bool>(decode(body, message));
-      };
-    });
   }
 
   const std::map<std::uint8_t, std::vector<Json>>& by_id() const { return forms_; }
@@ -85,7 +78,8 @@ class Requests {
       const bool may_be_longer = has_open_end(board, form) && most(form) == longest_form;
       if (size < form["min_size"] || (size > known && !may_be_longer)) continue;
       const std::vector<std::uint8_t> body(size);
-      if (decoders_.at(form["name"])(body)) return Reaction::executed;
+      const MessageType& type = *find_message(form["name"].get<std::string>());
+      if (type.make().decode(body)) return Reaction::executed;
     }
     if (!is_known) return Reaction::unknown;
     return size > largest && !is_open ? Reaction::executed : Reaction::malformed;
@@ -120,7 +114,6 @@ class Requests {
   }
 
   std::map<std::uint8_t, std::vector<Json>> forms_{};
-  std::map<std::string, bool (*)(std::span<const std::uint8_t>)> decoders_{};
 };
 
 bool restarts(const std::vector<Json>& forms) {

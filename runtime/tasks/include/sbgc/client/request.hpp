@@ -45,6 +45,9 @@ struct Request {
   std::function<void(const Frame&)> on_frame{};
 };
 
+/// Returns the policy of a request; an empty one for a message that only the board sends.
+ResponsePolicy policy_of(const AnyMessage& message);
+
 /// Encodes a request, with its surplus, for a board with these versions. Fails if the board does
 /// not have the command or, if `validate`, does not allow a value; fails for a message from the
 /// board. If the board takes another form of the message, encodes that one.
