@@ -20,8 +20,8 @@
 
 #include <sbgc/client/conversation.hpp>
 #include <sbgc/emulator/emulator.hpp>
-#include <sbgc/messages.hpp>
 #include <sbgc/message_infos.hpp>
+#include <sbgc/messages.hpp>
 #include <sbgc/parser.hpp>
 
 #include "conversation/dialogue.hpp"
