@@ -50,7 +50,7 @@ emulator::EmulatorOptions still_board(std::uint16_t firmware) {
 /// An emulated board that has just started, in virtual time, and what connects its hosts to it.
 class Site {
  public:
-  explicit Site(std::uint16_t firmware) : emulator_(still_board(firmware), {}, now_) {}
+  explicit Site(std::uint16_t firmware) : device(still_board(firmware), {}, clock) {}
   Site(const Site&) = delete;
   Site& operator=(const Site&) = delete;
   virtual ~Site() = default;
@@ -59,12 +59,12 @@ class Site {
   /// What the host has received since the last call.
   virtual Bytes received() = 0;
 
-  Instant now() const { return now_; }
+  Instant now() const { return clock; }
   void run_for(Duration time) {
-    const Instant end = now_ + time;
-    while (now_ < end) {
+    const Instant end = clock + time;
+    while (clock < end) {
       const Instant next = step();
-      now_ = std::clamp(next, now_ + microseconds(1), end);
+      clock = std::clamp(next, clock + microseconds(1), end);
     }
     step();
   }
@@ -79,32 +79,32 @@ class Site {
   /// Does what is due; returns when to call it again.
   virtual Instant step() = 0;
   Bytes take_output(std::size_t port) {
-    const auto waiting = emulator_.to_host(port);
+    const auto waiting = device.to_host(port);
     Bytes bytes(waiting.begin(), waiting.end());
-    emulator_.take(port, bytes.size(), now_);
+    device.take(port, bytes.size(), clock);
     return bytes;
   }
 
-  Instant now_{1'000'000};
-  emulator::Emulator emulator_;
+  Instant clock{1'000'000};
+  emulator::Emulator device;
 };
 
 class DirectSite final : public Site {
  public:
   explicit DirectSite(std::uint16_t firmware = newest_firmware)
-      : Site(firmware), port_(emulator_.connect(false, now_).value()) {
+      : Site(firmware), port_(device.connect(false, clock).value()) {
     run_for(seconds(1));
   }
 
-  void send(const Bytes& bytes) override { emulator_.from_host(port_, bytes, now_); }
+  void send(const Bytes& bytes) override { device.from_host(port_, bytes, clock); }
   Bytes received() override { return std::exchange(received_, {}); }
 
  private:
   Instant step() override {
-    emulator_.advance(now_);
+    device.advance(clock);
     const Bytes bytes = take_output(port_);
     received_.insert(received_.end(), bytes.begin(), bytes.end());
-    return emulator_.next();
+    return device.next();
   }
 
   std::size_t port_;
@@ -115,7 +115,7 @@ class DirectSite final : public Site {
 class BridgedSite final : public Site, private BridgeLine {
  public:
   explicit BridgedSite(std::uint16_t firmware = newest_firmware)
-      : Site(firmware), port_(emulator_.connect(false, now_).value()) {
+      : Site(firmware), port_(device.connect(false, clock).value()) {
     for (Host& host : hosts_) host.port = *ports_.connect(false, [] {});
     run_for(seconds(1));
   }
@@ -143,15 +143,15 @@ class BridgedSite final : public Site, private BridgeLine {
   }
 
   Instant step() override {
-    if (now_ >= next_tick_) {
+    if (clock >= next_tick_) {
       ports_.tick();
-      next_tick_ = now_ + milliseconds(100);
+      next_tick_ = clock + milliseconds(100);
     }
     do {
       feed_bridge();
       exchange_bytes();
     } while (run_posted());
-    const Instant next = earlier(earlier(deadline_, emulator_.next()), next_tick_);
+    const Instant next = earlier(earlier(deadline_, device.next()), next_tick_);
     return under_way_.empty() ? next : earlier(next, under_way_.front().first);
   }
 
@@ -167,31 +167,31 @@ class BridgedSite final : public Site, private BridgeLine {
   }
 
   void exchange_bytes() {
-    const sbgc::Output output = dialogue_.advance(now_, true);
+    const sbgc::Output output = dialogue_.advance(clock, true);
     deadline_ = output.deadline;
     if (!output.bytes.empty()) {
-      if (!is_taken_) emulator_.from_host(port_, output.bytes, now_);
-      dialogue_.written(now_);
+      if (!is_taken_) device.from_host(port_, output.bytes, clock);
+      dialogue_.written(clock);
     }
-    emulator_.from_host(port_, std::exchange(raw_, {}), now_);
-    emulator_.advance(now_);
+    device.from_host(port_, std::exchange(raw_, {}), clock);
+    device.advance(clock);
     const Bytes answers = delayed(take_output(port_));
     if (answers.empty()) return;
     if (is_taken_) return ports_.raw_arrived(answers);
-    dialogue_.feed(answers, now_);
-    deadline_ = now_;
+    dialogue_.feed(answers, clock);
+    deadline_ = clock;
   }
 
   Bytes delayed(Bytes sent) {
     if (longest_delay_ == Duration{}) return sent;
     if (!sent.empty()) {
       const auto most = static_cast<int>(longest_delay_.us);
-      const Instant at = now_ + microseconds(std::uniform_int_distribution<int>(0, most)(random_));
+      const Instant at = clock + microseconds(std::uniform_int_distribution<int>(0, most)(random_));
       const Instant before = under_way_.empty() ? at : under_way_.back().first;
       under_way_.emplace_back(std::max(at, before), std::move(sent));
     }
     Bytes arrived;
-    while (!under_way_.empty() && under_way_.front().first <= now_) {
+    while (!under_way_.empty() && under_way_.front().first <= clock) {
       const Bytes& bytes = under_way_.front().second;
       arrived.insert(arrived.end(), bytes.begin(), bytes.end());
       under_way_.pop_front();
@@ -212,7 +212,7 @@ class BridgedSite final : public Site, private BridgeLine {
 
   /// Hands a copy of the frame over to the bridge.
   void post(const Frame& frame, std::function<void(const Frame&)> use) {
-    posted_.push_back(
+    posted_.emplace_back(
         [id = frame.id, body = Bytes(frame.body.begin(), frame.body.end()), framing = frame.framing,
          use = std::move(use)] { use({.id = id, .body = body, .framing = framing}); });
   }
@@ -223,7 +223,7 @@ class BridgedSite final : public Site, private BridgeLine {
     };
     const auto call = detail::make_call(
         detail::next_call_id(), detail::Conversation::prepare(std::move(request)), {.retries = 0},
-        {}, now_, [this, tag](const Result<Reply>& reply) {
+        {}, clock, [this, tag](const Result<Reply>& reply) {
           const auto failure = reply ? std::nullopt : std::optional(reply.error().code);
           posted_.emplace_back([this, tag, failure] { ports_.ended(tag, failure); });
         });
@@ -251,7 +251,7 @@ class BridgedSite final : public Site, private BridgeLine {
   bool is_taken_ = false;
   int reopened_ = 0;
   std::deque<std::function<void()>> posted_;
-  BridgePorts ports_{*this, [this] { return now_; }, {}, true};  // passwords pass as well
+  BridgePorts ports_{*this, [this] { return clock; }, {}, true};  // passwords pass as well
   std::array<Host, 2> hosts_{};
   Instant next_tick_{};
   Instant deadline_ = Instant::never;
@@ -399,7 +399,7 @@ TEST(BridgeTransparency, StreamsStartAndStopAsTheBoardSays) {
   DirectSite direct;
   BridgedSite bridged;
   const auto ask = [&](const Bytes& bytes) {
-    const auto expected = outline_of(direct.ask(bytes, milliseconds(500)));
+    auto expected = outline_of(direct.ask(bytes, milliseconds(500)));
     EXPECT_EQ(outline_of(bridged.ask(bytes, milliseconds(500))), expected);
     return expected;
   };

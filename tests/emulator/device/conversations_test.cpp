@@ -57,7 +57,9 @@ std::vector<Conversation> conversations() {
       } else if (line.starts_with("    ")) {
         result.back().rows.back().second += line.substr(3);
       } else if (!line.empty() && line[0] != '#') {
-        result.back().rows.emplace_back(name + ":" + std::to_string(number) + ": " + line, line);
+        std::string row = name + ":";
+        row.append(std::to_string(number)).append(": ").append(line);
+        result.back().rows.emplace_back(std::move(row), line);
       }
     }
   }
@@ -85,45 +87,46 @@ Duration duration_of(const std::string& text) {
 emulator::BoardOptions options_of(const Words& words) {
   emulator::BoardOptions options;
   for (const std::string& word : words) {
-    if (word == "newest")
+    if (word == "newest") {
       options = newest_board();
-    else if (word.starts_with("firmware=")) {
+    } else if (word.starts_with("firmware=")) {
       options.firmware =
           msg::FirmwareVersion(static_cast<std::uint16_t>(std::stoi(word.substr(9))));
     } else if (word.starts_with("version=")) {
       options.board = msg::BoardVersion(static_cast<std::uint8_t>(std::stoi(word.substr(8))));
-    } else if (word == "strict")
+    } else if (word == "strict") {
       options.is_strict = true;
-    else if (word.starts_with("frame=")) {
+    } else if (word.starts_with("frame=")) {
       Axes<double> angles;
       std::istringstream numbers(word.substr(6));
       char comma{};
       numbers >> angles.roll >> comma >> angles.pitch >> comma >> angles.yaw;
       options.gimbal.frame = {emulator::Disturbance::Kind::recorded, 1, {{Instant{}, angles}}};
-    } else if (word.starts_with("start="))
+    } else if (word.starts_with("start=")) {
       options.start_time = duration_of(word.substr(6));
-    else if (word.starts_with("bootloader="))
+    } else if (word.starts_with("bootloader=")) {
       options.bootloader_time = duration_of(word.substr(11));
-    else if (word == "saving")
+    } else if (word == "saving") {
       options.waits_for_saving = true;
-    else if (word == "still")
+    } else if (word == "still") {
       options.gimbal.noise = 0;
-    else if (word.starts_with("password="))
+    } else if (word.starts_with("password=")) {
       options.password = word.substr(9);
-    else if (word.starts_with("device_id=")) {
+    } else if (word.starts_with("device_id=")) {
       options.device_id[0] = static_cast<std::uint8_t>(std::stoi(word.substr(10)));
-    } else if (word == "instant")
+    } else if (word == "instant") {
       options.calibration_time = 0;
-    else if (word == "frame_imu=no")
+    } else if (word == "frame_imu=no") {
       options.has_frame_imu = false;
-    else if (word == "features=three_axis")
+    } else if (word == "features=three_axis") {
       options.features = msg::BoardFeature::three_axis;
-    else if (word == "features_ext=no")
+    } else if (word == "features_ext=no") {
       options.features_ext = {};
-    else if (word == "features_ext2=no")
+    } else if (word == "features_ext2=no") {
       options.features_ext2 = {};
-    else
+    } else {
       throw std::invalid_argument("unknown option " + word);
+    }
   }
   return options;
 }
@@ -256,21 +259,21 @@ class Player {
       host().board.restart(host().now);
       return host().listen(seconds(1));
     }
-    if (verb == "place")
+    if (verb == "place") {
       gimbal.place({number(0), number(1), number(2)}, host().now);
-    else if (verb == "battery")
+    } else if (verb == "battery") {
       gimbal.set_battery(number(0), host().now);
-    else if (verb == "jam")
+    } else if (verb == "jam") {
       gimbal.jam(axis(), true, host().now);
-    else if (verb == "saved")
+    } else if (verb == "saved") {
       saved(rest.empty() ? 0 : static_cast<std::uint32_t>(number(0)));
-    else if (verb == "unsaved")
+    } else if (verb == "unsaved") {
       host().board.memory_not_saved(host().board.memory().revision, host().now);
-    else if (verb == "turn") {
+    } else if (verb == "turn") {
       gimbal.command(axis(), {.mode = emulator::AxisMode::speed, .speed = number(1)}, host().now);
-    } else if (verb == "port")
+    } else if (verb == "port") {
       port(axis());
-    else if (verb == "leave") {
+    } else if (verb == "leave") {
       host().board.close_port(host().port);
       EXPECT_EQ(host().board.open_port(), host().port) << "the next host has the same port";
     } else if (verb == "truth") {
@@ -288,11 +291,11 @@ class Player {
       const auto bytes = detail::from_hex(rest.size() > 1 ? rest[1] : "");
       host().send_bytes(frame_of(static_cast<std::uint8_t>(axis()), bytes.value()));
       return host().listen(milliseconds(50));
-    } else if (verb == "bytes")
+    } else if (verb == "bytes") {
       host().send_bytes(detail::from_hex(rest.at(0)).value());
-    else if (verb == "framing")
+    } else if (verb == "framing") {
       host().framing = rest.at(0) == "v2" ? Framing::v2 : Framing::v1;
-    else if (verb == "store") {
+    } else if (verb == "store") {
       AnyMessage file = type_of("WriteFile").make();
       assign(file, "file_id=" + rest.at(0));
       std::string text = row_.substr(row_.find(rest[0]) + rest[0].size() + 1);
@@ -301,9 +304,9 @@ class Player {
       assign(file, "data=" + detail::to_hex(std::span(
                                  reinterpret_cast<const std::uint8_t*>(text.data()), text.size())));
       expect(send(file, milliseconds(50)), {"confirmed"});
-    } else if (verb == "change")
+    } else if (verb == "change") {
       change(rest);
-    else if (verb == "keep") {
+    } else if (verb == "keep") {
       const Packets packets = ask({rest.begin() + 1, rest.end()});
       EXPECT_EQ(packets.size(), 1U);
       kept_.insert_or_assign(rest.at(0), decoded(packets.at(0)));
