@@ -11,7 +11,6 @@
 #include <sbgc/any.hpp>
 #include <sbgc/client/raw_request.hpp>
 #include <sbgc/responses/all.hpp>
-#include <sbgc/surplus.hpp>
 
 #include "calls/pending_calls.hpp"
 #include "testing.hpp"

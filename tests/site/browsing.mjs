@@ -13,7 +13,7 @@ export const testsOf = (browser) => (work, look = {}) => async () => {
   }
 };
 
-/** Pages that are drawn ten times a second take a quarter of the processor time. */
+/** Draws ten times a second, enough for tests that are not about pictures: drawing takes much processor time. */
 export const drawSeldom = () => {
   globalThis.requestAnimationFrame = (draw) => setTimeout(() => draw(performance.now()), 100);
   globalThis.cancelAnimationFrame = clearTimeout;

@@ -41,7 +41,7 @@ async function visit(page, name) {
   return { problems, requests };
 }
 
-/** Returns the pages to check closely: all at the top level, and each folder's one of median size. */
+/** Returns the pages to check closely: all at the top level, and each of its folders' one of median size. */
 function samples() {
   const size = (name) => fs.statSync(path.join(site, name)).size;
   const kinds = new Map();

@@ -20,7 +20,6 @@
 #include <sbgc/any.hpp>
 #include <sbgc/json/hex.hpp>
 #include <sbgc/meta/all.hpp>
-#include <sbgc/responses/all.hpp>
 #include <sbgc/text.hpp>
 #include <sbgc/value_text.hpp>
 

@@ -7,17 +7,14 @@
 #include <set>
 #include <span>
 #include <string>
-#include <type_traits>
 
 #include <sbgc/any.hpp>
 #include <sbgc/availability.hpp>
 #include <sbgc/client/request.hpp>
-#include <sbgc/dispatch.hpp>
 #include <sbgc/message_infos.hpp>
 #include <sbgc/meta/all.hpp>
 #include <sbgc/meta/variables.hpp>
 #include <sbgc/parameters.hpp>
-#include <sbgc/responses/all.hpp>
 #include <sbgc/roles.hpp>
 #include <sbgc/text.hpp>
 #include <sbgc/validate.hpp>
