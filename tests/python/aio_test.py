@@ -128,8 +128,6 @@ def test_a_cancelled_calibration_ends_within_a_second(board: Board) -> None:
         with pytest.raises(asyncio.CancelledError):
             await calibrating
         assert time.monotonic() - begin < 1.2
-        with pytest.raises(TimeoutError, match="it took more than 0 s"):
-            await gimbal.read_user_data(timeout=0)
 
     with_gimbal(board, use)
 

@@ -51,7 +51,10 @@ def test_asynchronously() -> None:
     async def record() -> sbgc.BodeRecording:
         async with sbgc.aio.connect(board) as gimbal:
             await gimbal.call(msg.MotorsOn())
-            return await gimbal.record_bode(request(64))
+            recording = await gimbal.record_bode(request(64))
+            with pytest.raises(TimeoutError, match="it took more than 0 s"):
+                await gimbal.record_bode(request(5000), timeout=0)
+            return recording
 
     with sbgc.emulator() as board:
         assert len(asyncio.run(record()).input) == 64
