@@ -35,10 +35,12 @@ struct SpeedCommand {
 
 /// Turns until the time is over or the motion must stop.
 Result<void> turn(const MovingGimbal& gimbal, SpeedControl& control,
-                  const Axes<msg::ControlSpeed>& speed, Clock::time_point end) {
+                  const Axes<msg::ControlSpeed>& speed,
+                  const std::optional<std::chrono::milliseconds>& time) {
   constexpr std::chrono::milliseconds interval{100};
   ProgressBar bar;
   const auto start = Clock::now();
+  const auto end = time ? start + *time : Clock::time_point::max();
   for (auto now = start; now < end && !gimbal.must_stop(); now = Clock::now()) {
     if (Result<void> set = control.set(speed); !set) return set;
     bar.show(
@@ -100,11 +102,10 @@ int turn_at_speed(const SpeedCommand& command, const CommandContext& context) {
   const auto before = value_of(Result<msg::GetAngles>(gimbal.client().get_angles()));
   gimbal.begins_to_move(AfterStop::remove_timeout);
   const auto start = Clock::now();
-  const auto end = command.time ? start + *command.time : Clock::time_point::max();
   Result<void> turned;
   {
     SpeedControl control(gimbal.client(), {.ends_when_stopped = true});
-    turned = turn(gimbal, control, speed, end);
+    turned = turn(gimbal, control, speed, command.time);
   }
   if (!turned) gimbal.give_up(turned.error());
   gimbal.has_stopped();

@@ -13,7 +13,13 @@ const ways = [
   ["bridge", "sbgc bridge"],
 ] as const;
 
-type Connect = (place: Place, line: LineSettings | null, port?: SerialPort) => Promise<void>;
+interface Way {
+  place: Place;
+  line: LineSettings | null;
+  port?: SerialPort;
+}
+/** Connects in the way that `choose` gives, if it gives one. */
+type Connect = (choose: () => Promise<Way | null>) => Promise<unknown>;
 interface WayProps {
   isPossible: boolean;
   connect: Connect;
@@ -28,12 +34,14 @@ export function ConnectPanel({ token, isReady, onConnected }: Props) {
   const { session } = useBench();
   const [way, setWay] = useState<Place["kind"]>(ports && !token ? "serial" : "bridge");
   const task = useTask();
-  const connect: Connect = async (place, line, port) => {
-    const board = await task.run((progress) => session.do("connect", [place, line], progress));
-    if (!board) return;
-    if (port) noteBoard(port, board.serialNumber);
-    onConnected(board);
-  };
+  const connect: Connect = (choose) =>
+    task.run(async (progress) => {
+      const chosen = await choose();
+      if (!chosen) return;
+      const board = await session.do("connect", [chosen.place, chosen.line], progress);
+      if (chosen.port) noteBoard(chosen.port, board.serialNumber);
+      onConnected(board);
+    });
   const isPossible = isReady && !task.isBusy;
   return (
     <section aria-labelledby="connect-title">
@@ -67,14 +75,14 @@ function SerialWay({ isPossible, connect }: WayProps) {
   const [known, look] = usePorts();
   const [rate, setRate] = useState("");
   const [parity, setParity] = useState<LineSettings["parity"]>("none");
-  const open = (port: SerialPort, index: number): void => {
+  const wayTo = (port: SerialPort, index: number): Way => {
     const { usbVendorId: vendor = null, usbProductId: product = null } = port.getInfo();
     const line = rate === "" ? null : { baudRate: Number(rate), parity };
-    void connect({ kind: "serial", index, vendor, product }, line, port);
+    return { place: { kind: "serial", index, vendor, product }, line, port };
   };
-  const choose = async (): Promise<void> => {
+  const choose = async (): Promise<Way | null> => {
     const port = await ports?.requestPort().catch(() => null); // null: the visitor chose none
-    if (port) open(port, (await look()).indexOf(port));
+    return port ? wayTo(port, (await look()).indexOf(port)) : null;
   };
   return (
     <>
@@ -96,7 +104,9 @@ function SerialWay({ isPossible, connect }: WayProps) {
           />
         </label>
       </div>
-      <Button disabled={!isPossible || !ports} onClick={choose}>Connect by USB or serial</Button>
+      <Button disabled={!isPossible || !ports} onClick={() => connect(choose)}>
+        Connect by USB or serial
+      </Button>
       <ul class="ports" aria-label="Ports that this page may use">
         {known.map((port, index) => (
           <li key={index} class="flow row">
@@ -104,7 +114,7 @@ function SerialWay({ isPossible, connect }: WayProps) {
             <SmallButton
               label={`Connect to port ${index + 1}`}
               disabled={!isPossible}
-              onClick={() => open(port, index)}
+              onClick={() => connect(async () => wayTo(port, index))}
             >
               Connect
             </SmallButton>
@@ -120,7 +130,7 @@ function BridgeWay({ token: given, isPossible, connect }: WayProps & { token: st
   const [token, setToken] = useState(given);
   const submit = (event: Event): void => {
     event.preventDefault();
-    void connect({ kind: "bridge", url, token }, null);
+    void connect(async () => ({ place: { kind: "bridge", url, token }, line: null }));
   };
   return (
     <form onSubmit={submit}>
