@@ -120,13 +120,18 @@ class Station:
         return lambda: self.put(self.attitude(*given, **named))
 
     def command(
-        self, number: int, *values: float, to: Any = (1, 154), is_int: bool = False
+        self,
+        number: int,
+        *values: float,
+        to: Any = (1, 154),
+        is_int: bool = False,
+        patience: float = 20,
     ) -> Optional[int]:
-        """Send a command, and return the result of its answer; None if there is none for 2 s."""
+        """Send a command, and return the result of its answer; None if there is none in time."""
         name = "COMMAND_INT" if is_int else "COMMAND_LONG"
         fields: dict[str, Any] = dict(zip(TYPES[name].fieldnames[-7:], values))
         fields.update(target_system=to[0], target_component=to[1], command=number)
-        seen, end = len(self.got), time.monotonic() + 2
+        seen, end = len(self.got), time.monotonic() + patience
         self.put(self.encode(name, **fields))
         while time.monotonic() < end:
             self.fly(0.02)
@@ -137,6 +142,13 @@ class Station:
 
     def all(self, name: str) -> list[Message]:
         return [one for one in self.got if one.name == name]
+
+    def interval(self, name: str, count: int) -> float:
+        """The mean interval of the next messages by the sender's clock, in ms."""
+        before = len(self.all(name))
+        self.until(lambda: len(self.all(name)) > before + count)
+        times = [one.values.time_boot_ms for one in self.all(name)[before:]]
+        return float(times[-1] - times[0]) / (len(times) - 1)
 
     def last(self, name: str) -> Any:
         return self.all(name)[-1].values
