@@ -210,10 +210,12 @@ for (const firmware of ["2.59", "2.70"]) {
       await page.keyboard.up("ArrowRight");
       await turn(page);
       await page.keyboard.up("ArrowRight");
+      await until(() => !turns(), "the camera is still"); // or this turn would be taken for the move
       await move(page);
       await stopFromOutside();
       await brakes();
-      await page.getByText("has stopped the camera").first().waitFor();
+      const told = page.getByText("has stopped the camera").first();
+      await told.waitFor().catch(async () => assert.fail(await page.locator("body").innerText()));
     });
   });
 }

@@ -40,7 +40,12 @@ def problem_of(line: str, options: list[str], folder: Path) -> str:
     request, _, words = named.partition(" =>")
     status, _, command = request.partition(" ")
     command, _, stdin = command.partition(" <<< ")
-    result = run(*shlex.split(command), *options, stdin=ast.literal_eval(stdin) if stdin else "")
+    for _ in range(3):  # beside busy programs, the emulated board may answer too late
+        result = run(
+            *shlex.split(command), *options, stdin=ast.literal_eval(stdin) if stdin else ""
+        )
+        if "no response to" in words or "no response to" not in result.error:
+            break
     said = " ".join((result.text + result.error).split())
     wanted = (
         re.escape(words := words.strip())
