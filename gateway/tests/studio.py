@@ -11,7 +11,7 @@ from typing import Any
 
 from brokers import Commander, Mosquitto, Subscriber
 from emulated_gimbal import EmulatedGimbal, emulated_gimbal
-from gateway import Gateway, running_gateway
+from gateway import Gateway, eventually, running_gateway
 
 
 def fleet_of(addresses: str, *gimbals: str, settings: str = "") -> str:
@@ -61,7 +61,7 @@ def running_studio(
     more: str = "",
     waits: bool = True,
 ) -> Iterator[Studio]:
-    """`more` goes to the gimbal. It waits until that is online."""
+    """`more` goes to the gimbal. It waits until that is online, and motion is no longer refused as queued."""
     with ExitStack() as stack:
         broker = stack.enter_context(running_broker(folder, of_broker))
         front = stack.enter_context(emulated_gimbal())
@@ -71,4 +71,5 @@ def running_studio(
         gateway = stack.enter_context(running_gateway(folder, text))
         if waits:
             seen.wait_for()
+            eventually(lambda: "'sbgc/studio/gateway/raw'" in broker.log.read_text())
         yield Studio(broker, gateway, front, seen, Commander(broker.port, "studio", *user))
