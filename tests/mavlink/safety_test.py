@@ -39,7 +39,7 @@ def test_arm_permits_a_setpoint_to_turn_the_motors_on() -> None:
         assert not rig.gimbal.data().other_flags, "who turns them off wants them off"
 
 
-@pytest.mark.parametrize("end, most", [("kill", 13), ("terminate", 4), ("poll", 13)])
+@pytest.mark.parametrize("end, most", [("kill", 16), ("terminate", 4), ("poll", 16)])
 def test_what_ends_a_rate(end: str, most: float, rig: Rig) -> None:
     """The program is killed, or asked to end; or (poll) the autopilot or ground station is silent."""
     gimbal = rig.gimbal

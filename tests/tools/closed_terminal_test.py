@@ -142,7 +142,10 @@ class Terminal:
         while not event.wait(0.02):
             assert time.monotonic() < deadline, shown
             if select.select([self.screen], [], [], 0)[0]:
-                shown += os.read(self.screen, 4096)
+                try:
+                    shown += os.read(self.screen, 4096)
+                except OSError:
+                    raise AssertionError(f"the command has ended: {shown!r}") from None
             if keys:
                 os.write(self.screen, keys)
 
