@@ -1,6 +1,8 @@
 // sbgc describe: the reference in the terminal.
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <functional>
 #include <map>
 #include <optional>
@@ -390,21 +392,28 @@ void print_topic(const PageText& page, const TopicReference& topic) {
   });
 }
 
+/// Calls `use(name, summary, topics)` for everything that a search looks at.
+template <class Use>
+void for_each_searched(const Use& use) {
+  const std::vector<const TopicReference*> none;
+  for (const CommandReference& command : command_references) {
+    use(std::string(command.name), command.summary, none);
+  }
+  for_each_known_field([&](const std::string& path, const FieldInfo& field) {
+    use(path, field.summary, topics_of(field));
+  });
+  for (const VariableInfo& variable : variables) {
+    use(std::string(variable.name), variable.summary, none);
+  }
+}
+
 /// Prints what has the words in its name or its description. Returns false if nothing has.
 bool print_search(const PageText& page, const std::string& words) {
   const Query query(words);
   std::vector<std::pair<std::string, const char*>> found;
-  const auto look_at = [&](const std::string& name, const char* summary, const auto& topics) {
+  for_each_searched([&](const std::string& name, const char* summary, const auto& topics) {
     if (query.fits(name, summary, topics, false)) found.emplace_back(name, summary);
-  };
-  const std::vector<const TopicReference*> none;
-  for (const CommandReference& command : command_references) {
-    look_at(command.name, command.summary, none);
-  }
-  for_each_known_field([&](const std::string& path, const FieldInfo& field) {
-    look_at(path, field.summary, topics_of(field));
   });
-  for (const VariableInfo& variable : variables) look_at(variable.name, variable.summary, none);
   if (found.empty()) return false;
   page.heading(words, fmt::format("  occurs at {}", counted(found.size(), "place")));
   constexpr std::size_t most = 40;
@@ -412,6 +421,48 @@ bool print_search(const PageText& page, const std::string& words) {
     page.entry(found[i].first, found[i].second, 2, 40);
   }
   if (found.size() > most) page.paragraph("and more; search for several words", 2);
+  return true;
+}
+
+/// Prints what has some of the words, those with rare words first. Returns false if nothing has a
+/// third of them.
+bool print_nearest(const PageText& page, const std::string& words) {
+  struct Place {
+    std::string name{};
+    const char* summary = nullptr;
+    std::vector<WordPlace> words{};
+    double weight = 0;
+  };
+  const Query query(words);
+  std::vector<Place> found;
+  std::vector<std::size_t> counts;  // the places that have each word
+  std::size_t all = 0;
+  for_each_searched([&](const std::string& name, const char* summary, const auto& topics) {
+    ++all;
+    Place place{name, summary, query.places(name, summary, topics), 0};
+    counts.resize(place.words.size());
+    std::size_t has = 0;
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+      if (place.words[i] == WordPlace::nowhere) continue;
+      ++counts[i];
+      ++has;
+    }
+    if (has > 0 && 3 * has >= counts.size()) found.push_back(std::move(place));
+  });
+  if (found.empty()) return false;
+  for (Place& place : found) {
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+      if (place.words[i] == WordPlace::nowhere) continue;
+      const double weight = std::log2(static_cast<double>(all) / static_cast<double>(counts[i]));
+      place.weight += weight * (place.words[i] == WordPlace::name ? 1.25 : 1);
+    }
+  }
+  std::ranges::stable_sort(found, std::ranges::greater{}, &Place::weight);
+  page.heading(words, "  nothing has all these words; the nearest are");
+  constexpr std::size_t most = 10;
+  for (std::size_t i = 0; i < std::min(found.size(), most); ++i) {
+    page.entry(found[i].name, found[i].summary, 2, 40);
+  }
   return true;
 }
 
@@ -563,6 +614,24 @@ bool print_word(const PageText& page, const std::string& word) {
   return is_known;
 }
 
+/// Prints what the words name together, or the end of a name that another program has: "motors on",
+/// "command 67", SBGC_CMD_CONTROL. Returns false if nothing has this name.
+bool print_name(const PageText& page, const std::string& words) {
+  std::string name = words;
+  std::ranges::replace(name, ' ', '_');
+  if (name != words && print_word(page, name)) return true;
+  const std::string shorter = without_fillers(words);
+  name = shorter;
+  std::ranges::replace(name, ' ', '_');
+  if (!name.empty() && name != words && print_word(page, name)) return true;
+  if (words.find(' ') != std::string::npos) return false;
+  for (std::size_t at = name.find('_'); at != std::string::npos; at = name.find('_')) {
+    name.erase(0, at + 1);
+    if (name.find('_') != std::string::npos && print_word(page, name)) return true;
+  }
+  return false;
+}
+
 std::vector<std::string> all_words() {
   std::set<std::string> words;
   for (const CommandReference& command : command_references) words.insert(command.name);
@@ -609,9 +678,14 @@ int describe(const DescribeOptions& options) {
     return success;
   }
   const std::string word = fmt::format("{}", fmt::join(options.words, " "));
-  if (print_word(page, word) || print_search(page, word)) return success;
+  const std::string telling = fmt::format("{}", fmt::join(telling_words(word), " "));
+  if (print_word(page, word) || print_name(page, word) || print_search(page, word)) return success;
+  // Of a question with a number, as "what is 69", it is the number.
+  if (parse_command_id(telling) && print_word(page, telling)) return success;
+  if (telling != word && print_search(page, telling)) return success;
   std::vector<std::string> near = similar_words(word);
   if (near.empty()) near = similar_words(word.substr(word.rfind('.') + 1));
+  if (near.empty() && print_nearest(page, telling)) return success;
   constexpr std::size_t most = 8;
   if (near.size() > most) near.resize(most);
   throw CommandError(fmt::format("nothing is named '{}'{}", clipped(word),

@@ -1,6 +1,7 @@
 #include "values/search_words.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <span>
 #include <utility>
@@ -21,8 +22,43 @@ constexpr bool is_in_word(char c) {
   return (lower >= 'a' && lower <= 'z') || (c >= '0' && c <= '9');
 }
 
-/// True if a word of the text, which may be in the plural, means the same.
+/// Words of any question, and those that name the gimbal.
+constexpr std::array common_words{
+    "a",     "about",   "after", "alexmos", "an",      "and",     "any",    "are",       "as",
+    "at",    "basecam", "be",    "been",    "before",  "board",   "by",     "can",       "cannot",
+    "do",    "does",    "for",   "from",    "get",     "gimbal",  "give",   "has",       "have",
+    "help",  "how",     "i",     "if",      "in",      "into",    "is",     "it",        "its",
+    "know",  "make",    "me",    "my",      "need",    "no",      "not",    "of",        "on",
+    "or",    "our",     "over",  "please",  "problem", "sbgc",    "should", "simplebgc", "so",
+    "that",  "the",     "their", "them",    "there",   "this",    "to",     "too",       "use",
+    "using", "via",     "want",  "was",     "we",      "what",    "when",   "where",     "which",
+    "while", "who",     "why",   "will",    "with",    "without", "work",   "works",     "you",
+    "your"};
+
+/// Words that say only what kind of thing is meant.
+constexpr std::array filler_words{"cmd", "command", "commands", "id", "message"};
+
+/// The words of a text, in lower case. `is_part(c)` is true for the characters of words.
+template <class IsPart>
+std::vector<std::string> words_of(std::string_view text, const IsPart& is_part) {
+  std::vector<std::string> result;
+  std::string word;
+  for (const char c : text) {
+    if (is_part(c)) {
+      word += detail::lower_case(c);
+    } else if (!word.empty()) {
+      result.push_back(std::exchange(word, {}));
+    }
+  }
+  if (!word.empty()) result.push_back(std::move(word));
+  return result;
+}
+
+/// True if a word of the text means the same; both may be in the plural.
 bool occurs(std::string_view text, std::string_view word) {
+  if (word.size() > 3 && word.ends_with('s') && occurs(text, word.substr(0, word.size() - 1))) {
+    return true;
+  }
   for (std::size_t at = 0; at < text.size();) {
     std::size_t size = 0;
     while (at + size < text.size() && is_in_word(text[at + size])) ++size;
@@ -62,6 +98,45 @@ Query::Query(std::string_view text) {
       words_.push_back(std::move(word));
     text.remove_prefix(size);
   }
+}
+
+std::vector<std::string> telling_words(std::string_view question) {
+  const auto is_part = [](char c) {
+    return is_in_word(c) || static_cast<unsigned char>(c) >= 0x80;
+  };
+  std::vector<std::string> words = words_of(question, is_part);
+  std::vector<std::string> telling;
+  std::copy_if(words.begin(), words.end(), std::back_inserter(telling), [](const auto& word) {
+    return !has_word(common_words, word) && !has_word(filler_words, word);
+  });
+  if (telling.empty()) return words;
+  return telling;
+}
+
+std::string without_fillers(std::string_view text) {
+  constexpr std::string_view signs = " \t?!,;:'\"()";
+  std::string result;
+  for (const std::string& word :
+       words_of(text, [&](char c) { return signs.find(c) == std::string_view::npos; })) {
+    if (has_word(filler_words, word)) continue;
+    if (!result.empty()) result += ' ';
+    result += word;
+  }
+  return result;
+}
+
+std::vector<WordPlace> Query::places(std::string_view name, std::string_view text,
+                                     const std::vector<const TopicReference*>& topics) const {
+  std::vector<WordPlace> result;
+  for (const std::string& word : words_) {
+    const auto is_topic = [&](const auto* topic) { return is_named(*topic, word); };
+    const bool is_in_text =
+        occurs(text, word) || std::any_of(topics.begin(), topics.end(), is_topic);
+    result.push_back(occurs(name, word) ? WordPlace::name
+                     : is_in_text       ? WordPlace::text
+                                        : WordPlace::nowhere);
+  }
+  return result;
 }
 
 bool Query::fits(std::string_view name, std::string_view text,

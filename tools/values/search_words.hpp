@@ -1,6 +1,7 @@
 /// The words by which people search: topics of parameters and synonyms.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,17 @@ bool is_named(const TopicReference& topic, std::string_view word);
 /// The topics of a parameter, its own first. Empty for other fields.
 std::vector<const TopicReference*> topics_of(const FieldInfo& field);
 
+/// Returns the words of a question that say what is meant, in lower case: "How do I set the P
+/// gain?" gives "set", "p", "gain". The parts of a name are words. If no word says it, all are
+/// returned.
+std::vector<std::string> telling_words(std::string_view question);
+
+/// Returns the text without words such as "command", and without the signs of a sentence.
+std::string without_fillers(std::string_view text);
+
+/// Where something has a word.
+enum class WordPlace : std::uint8_t { nowhere, text, name };
+
 /// The words that somebody searches for. All of them must fit.
 class Query {
  public:
@@ -28,6 +40,10 @@ class Query {
   /// with `any_part`, part of the name suffices.
   bool fits(std::string_view name, std::string_view text,
             const std::vector<const TopicReference*>& topics, bool any_part) const;
+
+  /// Returns where each word is. Topics count as text.
+  std::vector<WordPlace> places(std::string_view name, std::string_view text,
+                                const std::vector<const TopicReference*>& topics) const;
 
  private:
   std::vector<std::string> words_{};  // in lower case

@@ -2591,33 +2591,41 @@ inline constexpr const char* synonyms_1[] = {"accelerometer", "acceleration", "a
 inline constexpr const char* synonyms_2[] = {"attitude", "orientation", "ahrs"};
 inline constexpr const char* synonyms_3[] = {"battery", "bat"};
 inline constexpr const char* synonyms_4[] = {"baud", "baudrate", "bitrate"};
-inline constexpr const char* synonyms_5[] = {"calibration", "calibrate", "calib"};
-inline constexpr const char* synonyms_6[] = {"checksum", "crc"};
-inline constexpr const char* synonyms_7[] = {"confirmation", "confirm", "acknowledge", "ack"};
-inline constexpr const char* synonyms_8[] = {"current", "ampere"};
-inline constexpr const char* synonyms_9[] = {"deg", "degree", "degrees", "°"};
-inline constexpr const char* synonyms_10[] = {"dps", "deg/s", "°/s", "degrees per second"};
-inline constexpr const char* synonyms_11[] = {"defaults", "factory", "factory reset"};
-inline constexpr const char* synonyms_12[] = {"danger", "hazard", "safety"};
-inline constexpr const char* synonyms_13[] = {"emulated", "emulator", "emulate", "simulator", "simulation"};
-inline constexpr const char* synonyms_14[] = {"eeprom", "memory"};
-inline constexpr const char* synonyms_15[] = {"error", "fault", "failure"};
-inline constexpr const char* synonyms_16[] = {"firmware", "version"};
-inline constexpr const char* synonyms_17[] = {"gyroscope", "gyro"};
-inline constexpr const char* synonyms_18[] = {"joystick", "rc"};
-inline constexpr const char* synonyms_19[] = {"limit", "min", "max"};
-inline constexpr const char* synonyms_20[] = {"magnetometer", "compass", "mag"};
-inline constexpr const char* synonyms_21[] = {"pan", "yaw"};
-inline constexpr const char* synonyms_22[] = {"reset", "restart", "reboot"};
-inline constexpr const char* synonyms_23[] = {"save", "store", "write"};
-inline constexpr const char* synonyms_24[] = {"settings", "parameters", "params", "configuration", "config"};
-inline constexpr const char* synonyms_25[] = {"speed", "velocity", "rate"};
-inline constexpr const char* synonyms_26[] = {"stabilise", "stabilize", "stabilisation", "stabilization"};
-inline constexpr const char* synonyms_27[] = {"stop", "halt", "emergency"};
-inline constexpr const char* synonyms_28[] = {"temperature", "temp"};
-inline constexpr const char* synonyms_29[] = {"tune", "tuning"};
-inline constexpr const char* synonyms_30[] = {"vibration", "it shake", "it shakes", "jello", "vibrate", "oscillation", "oscillate"};
-inline constexpr const char* synonyms_31[] = {"tilt", "pitch"};
+inline constexpr const char* synonyms_5[] = {"bypass", "passthrough", "pass-through"};
+inline constexpr const char* synonyms_6[] = {"calibration", "calibrate", "calib"};
+inline constexpr const char* synonyms_7[] = {"can", "can bus"};
+inline constexpr const char* synonyms_8[] = {"checksum", "crc"};
+inline constexpr const char* synonyms_9[] = {"confirmation", "confirm", "acknowledge", "ack"};
+inline constexpr const char* synonyms_10[] = {"current", "ampere"};
+inline constexpr const char* synonyms_11[] = {"deadband", "dead band"};
+inline constexpr const char* synonyms_12[] = {"deg", "degree", "degrees", "°"};
+inline constexpr const char* synonyms_13[] = {"dps", "deg/s", "°/s", "degrees per second"};
+inline constexpr const char* synonyms_14[] = {"defaults", "factory", "factory reset"};
+inline constexpr const char* synonyms_15[] = {"danger", "hazard", "safety"};
+inline constexpr const char* synonyms_16[] = {"emulated", "emulator", "emulate", "simulator", "simulation"};
+inline constexpr const char* synonyms_17[] = {"eeprom", "memory"};
+inline constexpr const char* synonyms_18[] = {"error", "fault", "failure"};
+inline constexpr const char* synonyms_19[] = {"firmware", "version"};
+inline constexpr const char* synonyms_20[] = {"gimbal lock", "glock"};
+inline constexpr const char* synonyms_21[] = {"gyroscope", "gyro"};
+inline constexpr const char* synonyms_22[] = {"joystick", "rc"};
+inline constexpr const char* synonyms_23[] = {"limit", "min", "max"};
+inline constexpr const char* synonyms_24[] = {"low-pass", "lpf", "low pass", "lowpass"};
+inline constexpr const char* synonyms_25[] = {"magnetometer", "compass", "mag"};
+inline constexpr const char* synonyms_26[] = {"pan", "yaw"};
+inline constexpr const char* synonyms_27[] = {"reason", "cause"};
+inline constexpr const char* synonyms_28[] = {"relative", "rel"};
+inline constexpr const char* synonyms_29[] = {"reset", "restart", "reboot"};
+inline constexpr const char* synonyms_30[] = {"save", "store", "write"};
+inline constexpr const char* synonyms_31[] = {"settings", "parameters", "params", "configuration", "config"};
+inline constexpr const char* synonyms_32[] = {"speed", "velocity", "rate"};
+inline constexpr const char* synonyms_33[] = {"stabilise", "stabilize", "stabilisation", "stabilization"};
+inline constexpr const char* synonyms_34[] = {"stop", "halt", "emergency"};
+inline constexpr const char* synonyms_35[] = {"temperature", "temp"};
+inline constexpr const char* synonyms_36[] = {"tune", "tuning"};
+inline constexpr const char* synonyms_37[] = {"upside-down", "upside down"};
+inline constexpr const char* synonyms_38[] = {"vibration", "it shake", "it shakes", "jello", "vibrate", "oscillation", "oscillate"};
+inline constexpr const char* synonyms_39[] = {"tilt", "pitch"};
 }  // namespace detail
 
 /// In the order in which they are shown.
@@ -2700,7 +2708,7 @@ inline constexpr std::array<TopicReference, 19> topic_references{ {    {.name = 
 }};
 
 /// Groups of words that mean the same.
-inline constexpr std::array<std::span<const char* const>, 31> synonyms{ {    detail::synonyms_1,
+inline constexpr std::array<std::span<const char* const>, 39> synonyms{ {    detail::synonyms_1,
     detail::synonyms_2,
     detail::synonyms_3,
     detail::synonyms_4,
@@ -2731,6 +2739,14 @@ inline constexpr std::array<std::span<const char* const>, 31> synonyms{ {    det
     detail::synonyms_29,
     detail::synonyms_30,
     detail::synonyms_31,
+    detail::synonyms_32,
+    detail::synonyms_33,
+    detail::synonyms_34,
+    detail::synonyms_35,
+    detail::synonyms_36,
+    detail::synonyms_37,
+    detail::synonyms_38,
+    detail::synonyms_39,
 }};
 
 }  // namespace sbgc

@@ -176,11 +176,11 @@ def _pages(layout: Layout, history: History) -> Iterator[Entry]:
         for news in release.news:
             page = f"firmware/{release.text}.html#{news.text}"
             words = f"version availability {news.text}"
-            yield Entry("page", f"Firmware {news.text}", about, page, words)
+            yield Entry("version", f"Firmware {news.text}", about, page, words)
     for news in history.of_boards:
         page = f"availability.html#board-{news.text}"
         words = f"version availability {news.text}"
-        yield Entry("page", f"Board {news.text}", about, page, words)
+        yield Entry("version", f"Board {news.text}", about, page, words)
     for revision in layout.revisions:
         has_own = revision.adds or revision.changes
         anchor = f"revision-{revision.number}" if has_own else "revisions"

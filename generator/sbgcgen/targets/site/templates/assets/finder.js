@@ -4,13 +4,17 @@
 const sbgcFinder = async (MiniSearch, { synonyms, entries, links }) => {
   const stop = new Set(
     ("a about basecam board gimbal sbgc simplebgc not work works working help need problem an and any are as at be by can cannot do does for from get give has have how i if in into is it its make me my of " +
-      "on or our please should so that the their there this to use using want was we what when where which while why will with you your").split(" "),
+      "on or our please should so that the their there this to use using via want was we what when where which while why will with you your").split(" "),
   );
+  // Words that say only what kind of thing is meant: they add a little, and need not be there.
+  const vague = new Set(["cmd", "command", "message"]);
+  // How a command travels, not what it does: "switch profile over serial".
+  const carriers = / (?:(?:by|from|over|through|via) (?:the )?(?:serial|uart)(?: port)?|(?:serial|uart) commands?)(?= )/g;
   // The weight of a word in each field. `asked` are the words that people ask with, `prose` those of a guide.
   const boost = { whole: 12, asked: 16, name: 6, words: 3, about: 2.5, topics: 5, prose: 1 };
   // The weights of kinds: people want some more often than others.
   const kinds = {
-    page: 1.5, guide: 1.5, section: 1.4, message: 1.4, unit: 1, command: 1, family: 1, enum: 0.9, flags: 0.9, packed: 0.7,
+    page: 1.5, guide: 1.5, section: 1.4, message: 1.4, version: 0.9, unit: 1, command: 1, family: 1, enum: 0.9, flags: 0.9, packed: 0.7,
     field: 0.6, variable: 0.6, value: 0.35, name: 0.3, erratum: 0.3,
   };
   // The usual values but for b: a long list of words that people ask with is no worse than a short one.
@@ -24,8 +28,9 @@ const sbgcFinder = async (MiniSearch, { synonyms, entries, links }) => {
   const stem = (word) => (/^[a-z]{3,}[^su]s$/.test(word) ? word.slice(0, -1) : word);
   // Makes "Axes.roll" and "axes_roll" equal.
   const squeeze = (text) => plain(text).replace(/[\s_.·-]+/g, "");
-  const partsOf = (text) => text.replace(/([a-z0-9])(?=[A-Z])/g, "$1 ").split(/[^\p{L}\p{N}°/+#]+/u);
-  const termsOf = (text) => partsOf(text).map(plain).filter(Boolean).map(stem);
+  // "2.67" is one word.
+  const partsOf = (text) => text.replace(/([a-z0-9])(?=[A-Z])/g, "$1 ").match(/[\p{L}\p{N}°/+#]+(?:\.\d[\p{L}\p{N}]*)*/gu) ?? [];
+  const termsOf = (text) => partsOf(text).map(plain).map(stem);
 
   const fileOf = (page) => page.replace(/#.*/, "");
 
@@ -84,9 +89,40 @@ const sbgcFinder = async (MiniSearch, { synonyms, entries, links }) => {
     return found;
   };
 
-  // The words of a query. Those of a synonym such as "factory reset" stay together.
+  const search = (query, more) =>
+    index.search(query, { ...options, boost, bm25, tokenize: (text) => [text], combineWith: "AND", ...more });
+
+  const add = (scores, results, worth) => {
+    for (const { id, score } of results) scores.set(id, Math.max(scores.get(id) ?? 0, worth * score));
+  };
+
+  // The score of each document that has a word, or one that means the same.
+  const scoresOf = (word) => {
+    const scores = new Map();
+    const prefix = (term) => term.length > 2 && !/^\d+$/.test(term);
+    for (const [term, worth] of meanings(word)) {
+      const mayGoOn = term.slice(0, 4) === word.slice(0, 4) ? prefix : false; // not "accelerate" for "accelerometer", by "acc"
+      add(scores, search(Array.isArray(term) ? { queries: term } : term, { prefix: mayGoOn }), worth);
+    }
+    return scores;
+  };
+
+  // The results of one word, and for a misspelled word what it is taken for.
+  const matches = (word) => {
+    const scores = scoresOf(word);
+    if (scores.size || word.length < 4) return { scores };
+    const near = search(word, { fuzzy: word.length < 5 ? 1 : 2 /* as for swapped letters */, prefix: true });
+    add(scores, near, 0.9);
+    return { scores, taken: near[0]?.terms[0] };
+  };
+
+  // The words of a query. Those of a synonym such as "factory reset" stay together; those of an unknown name do not.
   const wordsOf = (query) => {
-    let text = ` ${plain(query).replace(/[?!,;"'’]+/g, " ").split(/\s+/).filter(Boolean).join(" ")} `;
+    const isLoud = query === query.toUpperCase();
+    const told = (isLoud ? query : query.replace(/\bCAN\b(?! bus)/g, "can bus")).replace(/\b(?:sbgc|simplebgc)_(?=\w)/gi, "");
+    let text = ` ${plain(told).replace(/[?!,;"'’()]+/g, " ").split(/\s+/).filter(Boolean).join(" ")} `;
+    const short = text.replace(carriers, "");
+    if (short.trim()) text = short;
     const words = [];
     for (const phrase of synonyms.flat().filter((w) => w.includes(" "))) {
       if (!text.includes(` ${phrase} `)) continue;
@@ -94,28 +130,12 @@ const sbgcFinder = async (MiniSearch, { synonyms, entries, links }) => {
       text = text.replace(` ${phrase} `, " ");
     }
     words.push(...text.split(" ").filter(Boolean));
-    const telling = words.filter((word) => !stop.has(word));
-    return (telling.length ? telling : words).map(stem);
-  };
-
-  const search = (query, more) =>
-    index.search(query, { ...options, boost, bm25, tokenize: (text) => [text], combineWith: "AND", ...more });
-
-  // The results of one word: the score of each document, and for a misspelled word what it is taken for.
-  const matches = (word) => {
-    const scores = new Map();
-    const add = (results, worth) => {
-      for (const { id, score } of results) scores.set(id, Math.max(scores.get(id) ?? 0, worth * score));
-    };
-    const prefix = (term) => term.length > 2 && !/^\d+$/.test(term);
-    for (const [term, worth] of meanings(word)) {
-      const mayGoOn = term.slice(0, 4) === word.slice(0, 4) ? prefix : false; // not "accelerate" for "accelerometer", by "acc"
-      add(search(Array.isArray(term) ? { queries: term } : term, { prefix: mayGoOn }), worth);
-    }
-    if (scores.size || word.length < 4) return { scores };
-    const near = search(word, { fuzzy: word.length < 5 ? 1 : 2 /* as for swapped letters */, prefix: true });
-    add(near, 0.9);
-    return { scores, taken: near[0]?.terms[0] };
+    const isTelling = (word) => !stop.has(word);
+    const telling = words.filter(isTelling);
+    return (telling.length ? telling : words).map(stem).flatMap((word) => {
+      const parts = /[_.]/.test(word) && !scoresOf(word).size ? termsOf(word).filter(isTelling) : [];
+      return parts.length ? parts : [word];
+    });
   };
 
   const fitLines = (first, last) => {
@@ -130,8 +150,10 @@ const sbgcFinder = async (MiniSearch, { synonyms, entries, links }) => {
 
   // The results, and the corrections of misspelled words.
   return (query) => {
-    const words = wordsOf(query);
-    const tight = squeeze(query);
+    const typed = wordsOf(query);
+    const certain = typed.filter((word) => !vague.has(word));
+    const words = certain.length ? certain : typed;
+    const exact = [squeeze(query), squeeze(plain(query).split(/\s+/).filter((word) => !vague.has(stem(word))).join(""))];
     const taken = [];
     const total = new Map();
     for (const word of words) {
@@ -141,6 +163,11 @@ const sbgcFinder = async (MiniSearch, { synonyms, entries, links }) => {
       for (const [id, score] of found.scores) {
         const { sum = 0, count = 0 } = total.get(id) ?? {};
         total.set(id, { sum: sum + score, count: count + 1 });
+      }
+    }
+    for (const word of typed.filter((one) => !words.includes(one))) { // vague ones
+      for (const [id, score] of scoresOf(word)) {
+        if (total.has(id)) total.get(id).sum += 0.3 * score;
       }
     }
     // Neighbors may be one word: "auto pid", "motor power".
@@ -155,7 +182,7 @@ const sbgcFinder = async (MiniSearch, { synonyms, entries, links }) => {
       // Names of values and code are only for who types them: "MAX_SPEED", not "max speed".
       const isCode = ["value", "name"].includes(kind);
       const last = name.slice(name.lastIndexOf(".") + 1);
-      const isExact = isCode ? /[_A-Z]/.test(query) && squeeze(last) === tight && !/\s/.test(query.trim()) : squeeze(name) === tight;
+      const isExact = isCode ? /[_A-Z]/.test(query) && exact.includes(squeeze(last)) && !/\s/.test(query.trim()) : exact.includes(squeeze(name));
       const worth = isExact ? 2.5 * Math.max(0.8, kinds[kind]) : kinds[kind];
       const wanted = 1 + 0.12 * Math.log2(1 + (links[fileOf(all[id].page)] ?? 0));
       const score = sum * (count / words.length) ** 2 * worth * wanted;
