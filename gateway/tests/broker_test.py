@@ -113,8 +113,8 @@ def test_states_are_retained(studio: Studio) -> None:
 
 
 def test_move(studio: Studio) -> None:
-    result = studio.result("move", {"angles": {"pitch": 8}, "speed": 30}, correlation="c7")
-    assert result["status"] == "done" and result["correlation"] == "c7", result
+    result = studio.moved(8, correlation="c7")
+    assert result["correlation"] == "c7"
     assert result["gimbal"] == "front" and result["task"] == "move"
     assert result["result"]["angles"]["pitch"] == pytest.approx(8, abs=1)
 

@@ -22,7 +22,7 @@ from emulated_gimbal import EmulatedGimbal, emulated_gimbal
 from gateway import Gateway, eventually, hanging_disk, running_gateway
 from relay import pass_on
 from sbgc_command import run
-from studio import fleet_of, gimbal_of, running_broker
+from studio import Conversation, fleet_of, gimbal_of, running_broker
 
 TURN = {
     "message": "Control",
@@ -78,7 +78,7 @@ class Line:
         self.ends = []
 
 
-class Stage:
+class Stage(Conversation):
     """A broker, a gateway with one gimbal, and somebody who talks to it."""
 
     def __init__(self, folder: Path, broker: Mosquitto, front: EmulatedGimbal) -> None:
@@ -108,9 +108,6 @@ class Stage:
 
     def accepts_motion(self) -> bool:
         return bool(self.result("motors", {"on": True})["status"] == "done")
-
-    def result(self, task: str, parameters: Any = None, **members: Any) -> Any:
-        return self.seen.result(self.say.command("front", task, parameters, **members))
 
     def speed(self) -> float:
         """The speed of the fastest axis, past the gateway."""
@@ -268,8 +265,7 @@ def test_a_gateway_that_was_killed_stops_the_motion(stage: Stage) -> None:
 def test_a_motion_that_has_ended_is_not_stopped_later(stage: Stage) -> None:
     with running_gateway(stage.folder, stage.fleet()) as gateway:
         stage.motors_on()
-        near = {"angles": {"pitch": 3}, "speed": 30}
-        assert stage.result("move", near)["status"] == "done"
+        stage.moved(3)
         assert stage.result("raw", TURN)["status"] == "done"
         assert stage.result("stop")["status"] == "done"
         time.sleep(0.5)  # what is at rest is recorded after the result
@@ -368,7 +364,7 @@ def test_a_stop_does_not_wait_for_the_disk(
         if version == "5":
             assert stage.seen.result(waits[-1]["key"])["error"]["code"] == "overload"
         assert stage.stands()
-        assert stage.result("move", {"angles": {"pitch": 3}, "speed": 30})["status"] == "done"
+        stage.moved(3)
 
 
 @contextmanager

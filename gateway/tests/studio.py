@@ -28,16 +28,33 @@ def gimbal_of(address: str, allow: str = "", *more: str, name: str = "front") ->
     )
 
 
-@dataclass
-class Studio:
-    broker: Mosquitto
-    gateway: Gateway
-    front: EmulatedGimbal
+class Conversation:
+    """Commands for the gimbal `front`, and their results."""
+
     seen: Subscriber
     say: Commander
 
     def result(self, task: str, parameters: Any = None, **members: Any) -> Any:
         return self.seen.result(self.say.command("front", task, parameters, **members))
+
+    def moved(self, pitch: float, **members: Any) -> Any:
+        """The result of a move. On a busy machine, the emulated board may answer too late for one."""
+        for _ in range(5):
+            target = {"angles": {"pitch": pitch}, "speed": 30}
+            result = self.result("move", target, **members)
+            if result["status"] == "done" or result["error"]["code"] != "timeout":
+                break
+        assert result["status"] == "done", result
+        return result
+
+
+@dataclass
+class Studio(Conversation):
+    broker: Mosquitto
+    gateway: Gateway
+    front: EmulatedGimbal
+    seen: Subscriber
+    say: Commander
 
 
 @contextmanager
