@@ -34,7 +34,7 @@ struct DescribeOptions {
   std::vector<std::string> words{};
 };
 
-/// Returns what the reference says about a message: for each direction, if it travels in both.
+/// Returns the reference of a message: one entry for each direction in which it travels.
 std::vector<const MessageReference*> references_of(const MessageInfo& info) {
   std::vector<const MessageReference*> found;
   for (const MessageReference& reference : message_references) {
@@ -66,10 +66,10 @@ class PageText {
     if (text.empty()) return;
     fmt::print("{:{}}{}\n", "", indent, wrapped(text, line_width(), indent, indent));
   }
-  /// A name in a column of `width` characters, and a text after it or below.
+  /// Prints a name in a column of `width` characters, and a text next to it or below.
   void entry(std::string_view name, std::string_view text, std::size_t indent,
              std::size_t width) const {
-    // A narrow column after the name is hard to read: the text is below it then.
+    // A narrow column after the name is hard to read: then the text goes below it.
     constexpr std::size_t narrow = 24;
     const bool is_below = line_width() < indent + width + narrow;
     const std::size_t column = indent + (is_below ? 2 : width);
@@ -90,10 +90,10 @@ class PageText {
 
 // ---- Messages ----
 
-/// A field with its place in the body.
+/// A field with its position in the body.
 struct PlacedField {
   std::string path{};
-  std::string offset{};  ///< "" if other values decide
+  std::string offset{};  ///< "" if it depends on other values
   const FieldType* type = nullptr;
 };
 
@@ -106,7 +106,7 @@ std::string offsets_text(const Offsets& offsets) {
   return fmt::format("{}, {}, ...", offsets->at(0), offsets->at(1));
 }
 
-/// Collects the values of a message with their places.
+/// Collects the values of a message with their positions.
 class Layout {
  public:
   explicit Layout(const std::vector<FieldType>& members) {
@@ -118,7 +118,7 @@ class Layout {
   /// Returns the offsets after the members.
   Offsets members_at(const std::vector<FieldType>& members, const std::string& path, Offsets at) {
     for (const FieldType& member : members) {
-      // Conditions decide whether a field is there, so its place is not fixed.
+      // Conditions determine whether a field is present, so its position is not fixed.
       if (member.is_optional) at.reset();
       field_at(member, path.empty() ? member.name : path + '.' + member.name, at);
       if (member.size == 0) at.reset();
@@ -275,7 +275,7 @@ bool print_command(const PageText& page, const CommandReference& command) {
 
 // ---- Enums and packed values ----
 
-/// An enum, a flag set or a packed value, and the fields that have it.
+/// An enum, a flag set or a packed value, and the fields that use it.
 struct NamedType {
   std::string_view name{};
   const EnumInfo* names = nullptr;
@@ -367,7 +367,7 @@ void print_variable(const PageText& page, const VariableInfo& variable) {
   print_facts(page, field, "", 2);
 }
 
-/// Calls `use(path, field)` for each field, at the first place in a message where it occurs.
+/// Calls `use(path, field)` for each field, at its first occurrence in a message.
 template <class Use>
 void for_each_known_field(const Use& use) {
   std::set<const FieldInfo*> known;
@@ -390,7 +390,7 @@ void print_topic(const PageText& page, const TopicReference& topic) {
   });
 }
 
-/// Prints what has the words in its name or its description. Returns false if nothing has.
+/// Prints everything with these words in its name or description. Returns false if none has them.
 bool print_search(const PageText& page, const std::string& words) {
   const Query query(words);
   std::vector<std::pair<std::string, const char*>> found;
@@ -422,7 +422,7 @@ struct Occurrence {
   const FieldType* type = nullptr;
 };
 
-/// Returns the fields with this path or name in all messages, or after the name of one message.
+/// Returns the fields with this path or name in all messages, or in one whose name precedes it.
 std::vector<Occurrence> occurrences_of(std::string word) {
   const std::size_t dot = std::min(word.find('.'), word.size());
   const std::string first = word.substr(0, dot);
@@ -437,7 +437,7 @@ std::vector<Occurrence> occurrences_of(std::string word) {
     try {
       fields = find_fields(message->fields(), word);
     } catch (const ValueError&) {
-      // Several fields of the message: each that ends with the name.
+      // Several fields of the message: each whose path ends with the name.
       for_each_field(message->fields(),
                      [&](const std::vector<WayStep>& way, const FieldType& type) {
                        const FieldType* const last = way.back().member;
@@ -498,7 +498,7 @@ void print_all(const PageText& page) {
       0);
 }
 
-/// Prints everything that the word names. Returns false if nothing has this name.
+/// Prints everything that the word names. Returns false if there is nothing.
 bool print_word(const PageText& page, const std::string& word) {
   bool is_known = false;
   const auto separate = [&] {
@@ -583,7 +583,7 @@ std::vector<std::string> all_words() {
   return {words.begin(), words.end()};
 }
 
-/// Returns the words that are nearest to this one, whatever their case.
+/// Returns the words that are nearest to this one, ignoring case.
 std::vector<std::string> similar_words(const std::string& word) {
   std::multimap<std::string, std::string> words;
   for (const std::string& name : all_words()) {

@@ -21,7 +21,7 @@ constexpr bool is_in_word(char c) {
   return (lower >= 'a' && lower <= 'z') || (c >= '0' && c <= '9');
 }
 
-/// True if a word of the text, which may be in the plural, means the same.
+/// True if a word of the text, which may be a plural, means the same.
 bool occurs(std::string_view text, std::string_view word) {
   for (std::size_t at = 0; at < text.size();) {
     std::size_t size = 0;

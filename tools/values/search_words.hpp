@@ -1,4 +1,4 @@
-/// The words by which people search: topics of parameters and synonyms.
+/// Search words: topics of parameters and synonyms.
 #pragma once
 
 #include <string>
@@ -19,7 +19,7 @@ bool is_named(const TopicReference& topic, std::string_view word);
 /// The topics of a parameter, its own first. Empty for other fields.
 std::vector<const TopicReference*> topics_of(const FieldInfo& field);
 
-/// The words that somebody searches for. All of them must fit.
+/// The words of a search. All of them must match.
 class Query {
  public:
   explicit Query(std::string_view text);
