@@ -131,16 +131,16 @@ long perform(Real real, bool can_fail = true) {
   return -1;
 }
 
-/// How much of a write: the whole (1), or a half (0 and 2).
+/// Returns the size of a write: the whole (1), or a half (0 and 2).
 std::size_t part(std::size_t size, int share) { return share == 1 ? size : size / 2; }
 
-/// For calls that are no writes: a failing one is not made.
+/// For calls other than writes: a failing one is not made.
 template <class Real>
 long perform_whole(Real real, bool can_fail = true) {
   return perform([&](int share) { return share == 0 ? 0L : static_cast<long>(real()); }, can_fail);
 }
 
-/// As a disk that hangs, until the file is gone.
+/// Simulates a disk that hangs, until the file is gone.
 void hang() {
   const char* const file = std::getenv("SBGC_FAULT_WHILE");
   while (file != nullptr && ::access(file, F_OK) == 0) ::usleep(1000);
@@ -155,7 +155,7 @@ int open_file(const char* path, int flags, mode_t mode) {
 
 }  // namespace
 
-// What the program calls instead of the C library, whose headers have other names of parameters.
+// Replacements of functions of the C library, whose headers name the parameters differently.
 // NOLINTBEGIN(readability-inconsistent-declaration-parameter-name,readability-identifier-naming,bugprone-reserved-identifier)
 extern "C" {
 

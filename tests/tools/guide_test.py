@@ -28,7 +28,7 @@ def recipe(language: str) -> str:
 
 @pytest.fixture(name="folder", scope="module")
 def fixture_folder(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
-    """Where the commands of the guide have run, for a second instead of a minute."""
+    """A folder where the commands of the guide have run, for a second instead of a minute."""
     folder = tmp_path_factory.mktemp("recipes")
     (folder / "sbgc").symlink_to(Path(PROGRAM).resolve())
     commands = re.findall(r"^\$ (sbgc (?:record|decode) .*)$", GUIDE, re.MULTILINE)
