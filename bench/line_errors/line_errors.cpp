@@ -1,5 +1,5 @@
-// How many answers are right, wrong or missing on a bad line, in each framing: in virtual time,
-// with the emulated board, and the same in each run.
+// Counts right, wrong and missing answers on a bad line, for each framing: in virtual time, with
+// the emulated board, and with the same results in each run.
 //
 //     line_errors [REQUESTS]
 //

@@ -4,9 +4,8 @@
 // its operands, because no mutation finds a valid checksum:
 //   0..199:   append as many bytes as the opcode specifies
 //   200..209: append a valid session header of the version in the next byte
-//   210..249: append a valid record with the kind and time in the next two bytes; the opcode minus
-//   210
-//             is the size of its data
+//   210..249: append a valid record with the kind and time in the next two bytes; its data
+//             has as many bytes as the opcode minus 210
 //   250..254: remove the last bytes; the opcode minus 249 is their number
 //   255:      append the remaining bytes
 //

@@ -1,17 +1,14 @@
-// A library to preload, which kills the program or lets calls fail at a chosen call of the system.
+// A preloaded library that kills the program, or makes calls fail, at a chosen system call.
 //
-// SBGC_FAULT_AT is the beginning of the paths that count: a folder, or "socket:". SBGC_FAULT is one
-// of
+// SBGC_FAULT_AT is the prefix of the paths that count: a folder, or "socket:". SBGC_FAULT is one of
 //   kill N         dies before the N-th call that changes such a file
 //   tear N         dies in the middle of the N-th call: a write has written half of its bytes,
-//   other
-//                  calls have ended
+//                  other calls have ended
 //   fail N NUMBER  the N-th and all later calls fail with this error number; before that, a write
-//   writes
-//                  half of its bytes, as on a full disk
+//                  writes half of its bytes, as on a full disk
 //   time US PAUSE  dies this long after the first call; each call takes PAUSE microseconds longer
 //
-// While the file that SBGC_FAULT_WHILE names is there, fsync() and fdatasync() do not return.
+// While the file that SBGC_FAULT_WHILE names exists, fsync() and fdatasync() do not return.
 
 #include <atomic>
 #include <cerrno>

@@ -1,4 +1,4 @@
-"""What the guides say of the command: the tasks of one send the messages that it lists beside them, and the
+"""Tests what the guides say about the command: the tasks of one send the messages that it lists, and the
 table of a recording is what the recipes of another expect; recipes.py runs them."""
 
 from __future__ import annotations
