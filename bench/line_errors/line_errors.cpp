@@ -138,7 +138,7 @@ class Host {
   }()};
 };
 
-/// Sends the same request again and again and compares the answers with that on a line without
+/// Sends the same request repeatedly and compares the answers with that on a line without
 /// errors.
 template <class M>
 void measure(const Quality& quality, const char* what, Framing framing, const M& request,

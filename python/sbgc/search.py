@@ -62,7 +62,7 @@ def find(
     """
     if isinstance(places, (str, Board)) or not isinstance(places, (Iterable, type(None))):
         raise TypeError(f"places: a list of addresses or boards is needed, not {places!r}")
-    seconds_of(timeout)  # raises if it is none
+    seconds_of(timeout)  # raises an error if it is invalid
     asked = searched() if places is None else list(places)
     if not asked:
         return []

@@ -207,7 +207,7 @@ class Device:
         """
         if flags & Flags.NEUTRAL:
             angles, flags = Angles(0.0, 0.0, 0.0), flags & Flags.RETRACT | LEVEL
-        if flags & Flags.RETRACT:  # ArduPilot sends rates of 0 with it, which are none
+        if flags & Flags.RETRACT:  # ArduPilot sends meaningless rates of 0 with it
             raise ValueError("retract")
         if flags & Flags.YAW_IN_VEHICLE_FRAME and flags & Flags.YAW_IN_EARTH_FRAME:
             raise ValueError("flags")
