@@ -14,9 +14,9 @@ namespace sbgc::fuzz {
 
 constexpr std::size_t longest_text = std::size_t{1} << 16U;
 
-/// Returns the text of an input, in which the byte 1 begins a bomb: the next byte is the exponent
-/// of 2 of its count, the one after it the number of following bytes that are repeated. A mutation
-/// so makes text that is deep or wide.
+/// Returns the text of an input, in which the byte 1 starts a bomb: the next byte is the exponent
+/// of 2 of its count, the one after it the number of following bytes that are repeated. So a
+/// mutation can make a deep or wide text.
 inline std::string text_with_bombs(std::span<const std::uint8_t> input) {
   std::string text;
   while (!input.empty()) {

@@ -1,4 +1,4 @@
-/// What the fuzzers share: the end for a broken invariant, and the input as a script.
+/// Shared by the fuzzers: require(), and the input as a script.
 #pragma once
 
 #include <algorithm>

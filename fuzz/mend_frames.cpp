@@ -1,4 +1,4 @@
-// The mutator of fuzzers whose inputs contain frames: half of the mutations have sound checksums.
+// The mutator of fuzzers whose inputs contain frames: half of the mutations have valid checksums.
 
 #include "mend_frames.hpp"
 

@@ -1,5 +1,5 @@
-// Mends the checksums of what looks like a frame in an input of a fuzzer, so that mutations reach
-// the code after the checks. Inputs contain frames among other bytes.
+// Repairs the checksums of apparent frames in a fuzzer's input, so that mutations reach the code
+// after the checks. Inputs contain frames among other bytes.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace sbgc::fuzz {
 
-/// Gives each start byte that is followed by a whole frame the checksums of one. Returns the number
+/// Gives each start byte that is followed by a complete frame valid checksums. Returns the number
 /// of frames.
 inline std::size_t mend_frames(std::span<std::uint8_t> input) {
   std::size_t count = 0;

@@ -16,12 +16,12 @@ using WallTime = std::chrono::system_clock::time_point;
 
 constexpr const char* stop_task = "stop";
 
-/// How long our own message of a barrier may take.
+/// The timeout for receiving our own message of a barrier.
 constexpr std::chrono::seconds barrier_patience{10};
-/// Refusals that are answered: garbage must not keep the disk busy.
+/// The rate limit of answered refusals: garbage must not keep the disk busy.
 constexpr double refusals_per_second = 50;
 constexpr int most_refusals_at_once = 500;
-/// The limits of the queue for the disk. A flood of garbage must not fill it while a commit runs.
+/// The limits of the queue for the disk. A flood of garbage must not fill it during a commit.
 constexpr std::size_t most_received = 10'000;
 constexpr std::size_t most_received_bytes = std::size_t{8} << 20U;
 
@@ -52,9 +52,9 @@ void Admission::take(std::vector<MqttMessage> messages) {
   }
 }
 
-/// While the gateway, the broker or the path between them is suspended, commands wait unseen. What
-/// the broker has kept comes in its order, so before a message of ours; what senders could not
-/// deliver comes soon afterwards.
+/// While the gateway, the broker or the path between them is suspended, commands wait unnoticed.
+/// Messages stored by the broker arrive in order, and so before one of ours; messages that senders
+/// could not deliver arrive soon afterwards.
 void Admission::watch_delays(GimbalTasks::Clock::time_point now) {
   const bool was_late = outbox_.was_late(now);
   if (was_late || now > last_turn_ + GimbalTasks::longest_silence) {
@@ -75,8 +75,8 @@ bool Admission::see_barrier(const MqttMessage& message) {
   return false;
 }
 
-/// Stops a gimbal, whatever waits or was commanded before, and whatever is wrong with the payload.
-/// Returns false if the message is no `stop` or is to be refused.
+/// Stops a gimbal, regardless of other commands, and of errors in the payload. Returns false if the
+/// message is not a `stop` or must be refused.
 bool Admission::stop_at_once(const CommandTopic& topic, const MqttMessage& message) {
   if (topic.task != stop_task) return false;
   try {
@@ -154,7 +154,7 @@ void Admission::settle() {
   mqtt_.wake();
 }
 
-/// Broken ones get as many answers as what is refused.
+/// Invalid stops are answered at the same rate as refusals.
 GimbalTasks::Done Admission::answer_of_stop(const CommandTopic& topic, const MqttMessage& message) {
   CommandPayload payload = addressed_payload(message, {});
   const auto ignored = read_stop_payload(message.payload, topics_, payload);
@@ -187,8 +187,7 @@ GimbalTasks::Done Admission::answer_of_stop(const CommandTopic& topic, const Mqt
       };
 }
 
-/// So that the next gateway goes on with it, and gives it a result. Its key does not make it a
-/// repetition.
+/// Lets the next gateway continue it and report a result. Its key does not make it a duplicate.
 void Admission::record_stop(const Received& received) {
   const Stop& stop = *received.stop;
   const auto id = journal_.admit(
@@ -203,7 +202,7 @@ void Admission::record_stop(const Received& received) {
   received.stop->is_settled = true;
 }
 
-/// The result of a stop that is not in the journal may give way to others.
+/// If there is no room, the result of a stop that is not in the journal may be dropped.
 void Admission::finish_stop(const std::string& gimbal, Stop& stop) {
   const std::scoped_lock lock(stop.mutex);
   if (!stop.is_settled || !stop.result) return;
@@ -231,7 +230,7 @@ std::optional<Admission::Admitted> Admission::settle_one(const Received& receive
   }
 }
 
-/// With what the properties of the message say.
+/// Adds the properties of the message to the payload.
 CommandPayload Admission::addressed_payload(const MqttMessage& message, WallTime time) const {
   CommandPayload payload;
   payload.correlation = message.correlation.substr(0, longest_correlation);
@@ -241,14 +240,14 @@ CommandPayload Admission::addressed_payload(const MqttMessage& message, WallTime
   return payload;
 }
 
-/// Returns the one that may carry out the command. Throws Refusal.
+/// Returns the station that may execute the command. Throws Refusal.
 const Station& Admission::station_for(const CommandTopic& topic, bool is_retained) const {
   const auto found = stations_.find(topic.gimbal);
   if (found == stations_.end()) {
     throw Refusal("unknown_gimbal", fmt::format("the fleet has no gimbal '{}'", topic.gimbal));
   }
   const FleetGimbal& settings = found->second.gimbal->settings();
-  // Whoever may command a gimbal may stop it.
+  // Anyone who may command a gimbal may stop it.
   if (topic.task == stop_task ? settings.allow.empty() : !settings.allows(topic.task)) {
     throw Refusal("not_allowed", fmt::format("the configuration does not allow '{}' for '{}'",
                                              clipped(topic.task), topic.gimbal));
@@ -266,7 +265,7 @@ std::optional<Admission::Admitted> Admission::admit(const Received& received,
                                payload.key,
                                topic.task + ' ' + payload_text(payload.parameters),
                                {payload.reply, payload.correlation}};
-  // Before the times: a broker repeats commands whose acknowledgments it has missed.
+  // Before checking times: a broker repeats commands whose acknowledgments it has missed.
   const RecognizedCommand recognized = journal_.recognize(command);
   switch (recognized.recognition) {
     case Recognition::unknown: break;
@@ -319,7 +318,7 @@ void Admission::check_times(const Received& received, const CommandPayload& payl
   }
 }
 
-/// Brokers keep commands while the gateway is away, and some deliver them again long afterwards.
+/// Brokers store commands while the gateway is offline, and some redeliver them long afterwards.
 /// Throws Refusal.
 void Admission::check_freshness(const Received& received, const CommandPayload& payload) const {
   if (!payload.sent) throw Refusal("invalid", "'sent' is missing");
@@ -338,7 +337,7 @@ void Admission::check_freshness(const Received& received, const CommandPayload& 
   }
 }
 
-/// A speed is meant for now; other motion has its deadline. Throws Refusal.
+/// A speed is only valid immediately; other motion has its deadline. Throws Refusal.
 void Admission::check_speed(const Received& received, const CommandPayload& payload) const {
   const auto age = received.time - *payload.sent;
   if (received.may_be_old || age > GimbalTasks::longest_silence + settings_.clock_skew) {

@@ -1,4 +1,4 @@
-/// Decides which commands of the broker are carried out, and refuses the others.
+/// Decides which commands of the broker are executed, and refuses the others.
 #pragma once
 
 #include <algorithm>
@@ -25,14 +25,14 @@
 
 namespace sbgc::tools {
 
-/// At most `most` at once, and afterwards `per_second`.
+/// Allows at most `most` at once, and `per_second` afterwards.
 class RateLimiter {
  public:
   using Time = std::chrono::steady_clock::time_point;
 
   RateLimiter(double per_second, double most) : per_second_(per_second), most_(most), left_(most) {}
 
-  /// Returns false if it is too often.
+  /// Returns false if the limit is exceeded.
   bool take(Time now) {
     const std::chrono::duration<double> since = now - last_;
     left_ = std::min(most_, left_ + since.count() * per_second_);
@@ -49,17 +49,17 @@ class RateLimiter {
   Time last_{};
 };
 
-/// Carries out the commands for a gimbal.
+/// The executor of the commands for a gimbal.
 struct Station {
   Gimbal* gimbal{};
   std::shared_ptr<GimbalTasks> tasks{};
 };
 
-/// By the names of gimbals.
+/// Stations by the names of their gimbals.
 using Stations = std::map<std::string, Station>;
 
-/// Detects what was published before a subscription: commands come in their order, so those that
-/// come before our own message have waited at the broker.
+/// Detects messages that were published before a subscription: commands arrive in order, so those
+/// that arrive before our own message have waited at the broker.
 class SubscriptionBarrier {
  public:
   explicit SubscriptionBarrier(std::string topic) : topic_(std::move(topic)) {}
@@ -83,7 +83,7 @@ class SubscriptionBarrier {
 
 class Admission {
  public:
-  /// `stations`, `disk`, which calls settle(), and `mqtt` can be filled and constructed later.
+  /// `stations`, `disk`, which calls settle(), and `mqtt` may be filled and constructed later.
   Admission(const BrokerSettings& settings, const Topics& topics, const Stations& stations,
             Journal& journal, Worker& disk, Outbox& outbox, MqttConnection& mqtt);
   Admission(const Admission&) = delete;
@@ -92,25 +92,24 @@ class Admission {
 
   // On the thread of the connection, which never waits for the journal.
 
-  /// Takes the messages that have arrived. Stops go to their gimbals at once, the rest waits for
-  /// settle().
+  /// Processes arrived messages. Stops go to their gimbals at once; the rest waits for settle().
   void take(std::vector<MqttMessage> messages);
-  /// True if nothing of what has arrived waits for the disk.
+  /// True if no arrived message waits for the disk.
   bool is_settled() const;
   void connected();
   void subscribed();
   void lost();
-  /// A user who may command, but not read the topic of a barrier, would wonder why nothing moves.
+  /// Warns if a user may command but not read the topic of a barrier, which blocks all motion.
   void watch_barriers();
 
-  /// On the thread of the journal: commands go to their gimbals when they are on the disk.
+  /// On the thread of the journal: passes commands to their gimbals once they are on disk.
   void settle();
 
-  /// Nothing but stops from now on. Any thread.
+  /// Accepts only stops from now on. May be called from any thread.
   void close() noexcept { is_closing_ = true; }
 
  private:
-  /// A stop that its gimbal has got, and that is not in the journal yet. Its end may come first.
+  /// A stop that was passed to its gimbal, and is not in the journal yet. It may end before that.
   struct Stop {
     std::string key{};
     ReplyAddress reply{};
@@ -119,20 +118,20 @@ class Admission {
     std::optional<std::int64_t> id{};  // there
     std::optional<Json> result{};
   };
-  /// A command, or a stop that is refused, on its way to the disk.
+  /// A command, or a refused stop, on its way to the disk.
   struct Received {
-    std::shared_ptr<Stop> stop{};  // then only the topic counts
+    std::shared_ptr<Stop> stop{};  // if set, only the topic matters
     MqttMessage message{};
     CommandTopic topic{};
     GimbalTasks::Clock::time_point arrived{};
     std::chrono::system_clock::time_point time{};  // the same
     std::chrono::system_clock::time_point connected_at{};
-    const SubscriptionBarrier* barrier{};  // that was closed: it may be older than the connection
-    bool may_be_old{};                     // as a speed: something was suspended
-    bool is_excess{};                      // too much waits for the disk
+    const SubscriptionBarrier* barrier{};  // closed barrier: it may be older than the connection
+    bool may_be_old{};                     // too old for a speed: something was suspended
+    bool is_excess{};                      // too many messages wait for the disk
     std::uint64_t stops{};                 // see GimbalTasks::Job
   };
-  /// A command that is to be carried out once it is on the disk.
+  /// A command to execute once it is on disk.
   struct Admitted {
     const Station* station{};
     GimbalTasks::Job job{};
@@ -173,7 +172,7 @@ class Admission {
   std::chrono::system_clock::time_point connected_at_{};
   GimbalTasks::Clock::time_point last_turn_{};
   GimbalTasks::Clock::time_point speeds_from_{};  // earlier ones may be old
-  SubscriptionBarrier echo_;                      // and those before our own message
+  SubscriptionBarrier echo_;                      // and so may those before our own message
   std::uint64_t echoes_ = 0;
 
   // Shared:

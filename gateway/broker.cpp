@@ -28,7 +28,7 @@ namespace sbgc::tools {
 
 namespace {
 
-/// For all gimbals; a service manager may kill the gateway soon after.
+/// The timeout for stopping all gimbals; a service manager may kill the gateway soon after.
 constexpr std::chrono::seconds longest_stop{8};
 
 BrokerSettings with_client_id(const Fleet& fleet) {
@@ -49,7 +49,7 @@ class Broker::Impl {
 
   void start() {
     disk_.start();
-    disk_.wake();  // for what an earlier gateway has left
+    disk_.wake();  // for messages left by an earlier gateway
     mqtt_.start();
   }
   void close();
@@ -130,7 +130,7 @@ MqttConnection::Handlers Broker::Impl::mqtt_handlers() {
 }
 
 MqttPublication Broker::Impl::will() const {
-  // Without a time: the broker keeps it until it is needed.
+  // Without a time: the broker stores it until it is needed.
   Json json{{"version", payload_version}, {"state", "offline"}};
   duplicates_.sign(json);
   return {.topic = state_topic_, .payload = payload_text(json), .is_retained = true};
@@ -212,7 +212,7 @@ bool Broker::Impl::idle() {
   return outbox_.publish();
 }
 
-/// The metrics go on. The gimbals that move stop, because the broker is gone.
+/// Stops serving the broker; metrics continue. Moving gimbals stop, because the broker is gone.
 void Broker::Impl::fail(const std::string& problem) {
   is_connected_ = false;
   remark("sbgc: {}: {}\n",
@@ -243,7 +243,7 @@ void Broker::Impl::close() {
     const auto rests = at_rest[name] = std::make_shared<std::atomic<bool>>(false);
     station.tasks->shut_down([rests] { *rests = true; });
   }
-  const bool has_failed = !failure().empty();  // then nobody counts what ends
+  const bool has_failed = !failure().empty();  // then the remaining work is no longer tracked
   wait_until(
       [&] {
         return (has_failed || outbox_.running() == 0) &&

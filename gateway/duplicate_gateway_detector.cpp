@@ -11,7 +11,7 @@ namespace sbgc::tools {
 
 namespace {
 
-/// A broker that was killed may bring back an old state: only the second time counts, if it is
+/// A broker that was killed may restore an old state: only the second occurrence counts, if it is
 /// soon.
 constexpr std::chrono::minutes soon{1};
 

@@ -1,4 +1,4 @@
-/// Notices another gateway of the same fleet.
+/// Detects another gateway of the same fleet.
 #pragma once
 
 #include <chrono>
@@ -11,23 +11,23 @@
 
 namespace sbgc::tools {
 
-/// Two gateways with one client id take the connection to the broker from each other. Each puts its
-/// name into the retained state of the gateway. Who has read its own name there, and then the
-/// other's, knows that the other is alive: it is not what an earlier process has left behind.
+/// Two gateways with one client id take the connection to the broker from each other. Each writes
+/// its name into the retained state of the gateway. A gateway that reads its own name there, and
+/// then another one, knows that the other is alive: it is not left over from an earlier process.
 class DuplicateGatewayDetector {
  public:
   using Clock = std::chrono::steady_clock;
 
   DuplicateGatewayDetector();
 
-  /// Puts the name of this gateway into its state.
+  /// Adds the name of this gateway to its state.
   void sign(Json& state) const;
-  /// Takes the payload of a state. Returns true if this gateway gives way: the one that has started
-  /// later does.
+  /// Processes the payload of a state. Returns true if this gateway must yield, because it started
+  /// later.
   bool read(const std::string& state, Clock::time_point now);
 
  private:
-  /// When a gateway has started, as Unix time in milliseconds, and a random word.
+  /// The start time of a gateway, as Unix time in milliseconds, and a random word.
   using Name = std::pair<std::int64_t, std::string>;
 
   const Name name_;

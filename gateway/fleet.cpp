@@ -22,7 +22,7 @@ namespace sbgc::tools {
 
 namespace {
 
-// Topics of the gateway itself have these in the place of a gimbal.
+// Topics of the gateway itself have these names in place of a gimbal.
 constexpr std::array<std::string_view, 2> reserved_names{"gateway", "reply"};
 constexpr double slowest_telemetry = 0.02;
 constexpr double fastest_telemetry = 1000;
@@ -87,7 +87,7 @@ Effects read_effects(SectionReader& section, Effects by_default) {
   return result;
 }
 
-/// Reads "MESSAGE RATE [CONTENTS]".
+/// Parses "MESSAGE RATE [CONTENTS]".
 Telemetry read_telemetry(const SectionReader& section, const ConfigurationValue& value) {
   std::vector<std::string> words;
   for (std::size_t at = 0; at < value.text.size();) {
@@ -131,7 +131,7 @@ std::vector<Telemetry> read_all_telemetry(SectionReader& section) {
   return result;
 }
 
-/// Returns the paths of live data that the patterns choose. Throws CommandError.
+/// Returns the paths of live data that the patterns select. Throws CommandError.
 std::set<std::string> live_paths(const std::string& patterns) {
   const MessageInfo& info = Meta<msg::RealtimeData4>::info;
   std::vector<std::string> paths;
@@ -144,7 +144,7 @@ std::set<std::string> live_paths(const std::string& patterns) {
   return result;
 }
 
-/// Reads "HOST:PORT", or with a usual port, "HOST"; a number of version 6 stands in brackets.
+/// Parses "HOST:PORT", or with a default port, "HOST"; IPv6 addresses are in brackets.
 std::optional<BrokerAddress> read_host_and_port(std::string_view text,
                                                 std::optional<std::uint16_t> usual_port) {
   const std::size_t colon = text.rfind(':');
@@ -172,7 +172,7 @@ std::optional<BrokerAddress> read_host_and_port(std::string_view text,
   return address;
 }
 
-/// An address of IP version 4: the library of the metrics knows no other.
+/// Parses an IPv4 address: the metrics library supports no other.
 std::string read_listen(const SectionReader& section, const std::string& text) {
   auto address = read_host_and_port(text, {});
   if (address && address->host == "localhost") address->host = "127.0.0.1";
@@ -209,7 +209,7 @@ BrokerAddress read_broker_address(const SectionReader& section, const Configurat
   return *address;
 }
 
-/// A text that can be in a packet of MQTT.
+/// Reads a text that is valid in MQTT packets.
 std::string read_mqtt_text(SectionReader& section, const char* key) {
   std::string text = section.text(key).value_or("");
   bool is_allowed = true;
@@ -224,7 +224,7 @@ std::string read_mqtt_text(SectionReader& section, const char* key) {
   return text;
 }
 
-/// Reads the names of the files that a section has.
+/// Reads the names of the files in a section.
 class FileReader {
  public:
   FileReader(SectionReader& section, const std::filesystem::path& folder,

@@ -37,7 +37,7 @@
 
 namespace sbgc::tools {
 
-/// The commands of a broker, as in `…/cmd/<task>`; `raw` is `…/raw`.
+/// The tasks in command topics of a broker, as in `…/cmd/<task>`; `raw` is `…/raw`.
 inline constexpr std::array<std::string_view, 10> gateway_tasks{
     "stop", "move", "speed", "motors", "home", "menu", "calibrate", "get", "set", "raw"};
 
@@ -48,7 +48,7 @@ struct Telemetry {
 };
 
 struct FleetGimbal {
-  NamedGimbal line{};                ///< name, port and how to connect
+  NamedGimbal line{};                ///< name, port and connection options
   std::vector<std::string> allow{};  ///< of gateway_tasks
   Effects raw_effects = Effect::reads;
   std::vector<Telemetry> telemetry{};
@@ -58,7 +58,7 @@ struct FleetGimbal {
 };
 
 struct MetricsSettings {
-  std::string listen{"127.0.0.1:9110"};       ///< a number, of version 4, and a port
+  std::string listen{"127.0.0.1:9110"};       ///< an IPv4 address and a port
   std::chrono::milliseconds interval{5'000};  ///< between two requests for live data
   std::set<std::string> paths{};              ///< of the fields of live data that become metrics
 };
@@ -80,13 +80,13 @@ struct BrokerSettings {
   std::chrono::milliseconds keep_alive{30'000};
   std::filesystem::path journal{};   ///< the SQLite file
   std::size_t most_waiting{10'000};  ///< events and results on disk
-  std::size_t history{10'000};       ///< results by which a repeated command is known
+  std::size_t history{10'000};       ///< results for recognizing repeated commands
   std::chrono::milliseconds longest_deadline{60'000};  ///< of a command
-  std::chrono::milliseconds clock_skew{1'000};         ///< how far the clocks of senders may differ
+  std::chrono::milliseconds clock_skew{1'000};         ///< the maximum clock difference of senders
   std::chrono::milliseconds stop_after{2'000};  ///< without the broker, a moving gimbal stops
 };
 
-/// A file that the configuration names, and where.
+/// A file that the configuration names, and the position of the name.
 struct FleetFile {
   enum class Kind : std::uint8_t { password, authorities, certificate, key, journal };
 
@@ -103,12 +103,12 @@ struct Fleet {
   std::vector<FleetFile> files{};
 };
 
-/// Returns the fleet in the text of a file. Throws CommandError, with "file:line:column: ", if it
-/// is invalid. Relative paths count from the folder of the file. Looks at no file.
+/// Parses the fleet in the text of a file. Throws CommandError, with "file:line:column: ", if it is
+/// invalid. Relative paths are relative to the folder of the file. Accesses no files.
 Fleet fleet_in(const std::string& text, const std::filesystem::path& file);
 
-/// Reads the file, and looks at those that it names. Throws CommandError for what would keep a
-/// gateway from its start. Creates, locks and changes nothing.
+/// Reads the file, and checks those that it names. Throws CommandError for anything that would
+/// prevent the start of a gateway. Creates, locks and changes nothing.
 Fleet read_fleet(const std::filesystem::path& file);
 
 }  // namespace sbgc::tools

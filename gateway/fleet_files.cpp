@@ -1,4 +1,4 @@
-// The files that a fleet names: what would keep a gateway from using them. Nothing is created.
+// Checks that a gateway can use the files that a fleet names. Creates nothing.
 
 #include <cerrno>
 #include <cstring>
@@ -35,7 +35,7 @@ void require_access(const std::filesystem::path& file, int mode, const char* ver
 }
 
 void check_journal_file(const std::filesystem::path& file) {
-  // SQLite takes paths up to 512 bytes, and puts files with longer names beside it.
+  // SQLite accepts paths up to 512 bytes, and adds files with longer names.
   constexpr std::size_t longest_path = 500;
   constexpr std::size_t longest_name = 240;
   if (file.string().size() > longest_path || file.filename().string().size() > longest_name) {

@@ -29,9 +29,9 @@ namespace sbgc::tools {
 namespace {
 
 constexpr unsigned most_io_threads = 8;
-/// With what the command puts before it, 500 bytes. What a file has can be longer.
+/// With the prefix of the command, 500 bytes. File content can be longer.
 constexpr std::size_t longest_error = 480;
-/// For the stops, and for what is told about them.
+/// The time for the stops, and for reporting them.
 constexpr std::chrono::seconds gateway_bound = stop_bound + std::chrono::seconds(4);
 
 struct GatewayOptions {
@@ -59,12 +59,12 @@ void wait_for_signal() {
   while (!was_interrupted()) ::poll(&signal, 1, -1);
 }
 
-/// Serves the fleet until a signal comes, or neither half can go on.
+/// Serves the fleet until a signal arrives, or both halves have failed.
 int serve_fleet(Io& io, const Fleet& fleet, const std::vector<std::unique_ptr<Gimbal>>& gimbals) {
   remark_in_background();
   std::signal(SIGPIPE, SIG_IGN);
   const MustFinish stopping(gateway_bound, "gimbals may still turn");
-  // Both halves have their handlers before the gimbals start.
+  // Both halves register their handlers before the gimbals start.
   std::optional<Broker> broker;
   if (fleet.broker) broker.emplace(fleet, gimbals);
   std::optional<Metrics> metrics;
@@ -81,7 +81,7 @@ int serve_fleet(Io& io, const Fleet& fleet, const std::vector<std::unique_ptr<Gi
   if (broker) broker->close();
   for (const auto& gimbal : gimbals) gimbal->close();
   io.finish();  // what still completes uses the broker and the gimbals
-  // People must choose a gateway, not a service manager that starts this one again.
+  // People must choose a gateway; a service manager must not restart this one.
   if (broker && broker->has_duplicate()) return wrong_usage;
   return broker && (!broker->failure().empty() || broker->has_left_moving()) ? failure : success;
 }

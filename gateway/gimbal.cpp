@@ -46,7 +46,7 @@ ClientStatistics sum_of(const ClientStatistics& a, const ClientStatistics& b) {
   return sum;
 }
 
-/// The connection is made again by the client, from the first one on.
+/// The client reconnects by itself, including the first connection.
 ReconnectOptions options_of(const NamedGimbal& line) {
   GimbalOptions options;
   options.port = line.port;
@@ -74,10 +74,10 @@ std::string event_kind(NoticeKind kind) {
 
 }  // namespace
 
-/// A client counts anew with each connection; this adds them up, so that no counter decreases.
+/// A client restarts its counters with each connection; this adds them up, so that none decreases.
 class CountedLine {
  public:
-  /// Takes the counters of the connection with this number, and returns the sum.
+  /// Adds the counters of the connection with this number, and returns the sum.
   ClientStatistics total(std::uint64_t connection, const ClientStatistics& counters) {
     if (connection != connection_) {
       earlier_ = sum_of(earlier_, current_);
@@ -95,7 +95,7 @@ class CountedLine {
 
 constexpr std::chrono::milliseconds first_pause_between_attempts{1'000};
 constexpr std::chrono::milliseconds longest_pause_between_attempts{30'000};
-/// After which a stream that could not be started is tried again.
+/// The pause before a stream that could not be started is tried again.
 constexpr std::chrono::milliseconds pause_before_telemetry{5'000};
 
 Io::Io(unsigned threads)
@@ -129,7 +129,7 @@ class Gimbal::Impl : public std::enable_shared_from_this<Impl> {
     asio::post(strand_, [self = shared_from_this()] { self->connect(); });
   }
 
-  /// Waits until no handler runs any more.
+  /// Waits until all handlers have ended.
   void close() {
     if (std::exchange(is_closed_, true)) return;
     std::promise<void> done;
@@ -171,8 +171,8 @@ class Gimbal::Impl : public std::enable_shared_from_this<Impl> {
 
   using Clock = std::chrono::system_clock;
 
-  /// A message at a rate. It is started as soon as the gimbal is online; a stream goes on by itself
-  /// with the next connection.
+  /// A message at a rate. It is started as soon as the gimbal is online; a stream continues by
+  /// itself with the next connection.
   struct RunningTelemetry {
     RunningTelemetry(const Telemetry& from, const Strand& strand)
         : source(from.source),
@@ -211,7 +211,7 @@ class Gimbal::Impl : public std::enable_shared_from_this<Impl> {
     }
     changes_ = client_->on_change([this](const LinkChange& change) { has_changed(change); });
     notices_ = client_->on_notice([this](const Notice& notice) { has_noticed(notice); });
-    // Tells what happened before the handlers were there.
+    // Reports events from before the handlers were registered.
     if (client_->is_connected()) {
       enter_online(client_->identity());
     } else {
@@ -261,7 +261,7 @@ class Gimbal::Impl : public std::enable_shared_from_this<Impl> {
   }
 
   void has_noticed(const Notice& notice) {
-    // A change of the state reports a lost line as well.
+    // A change of the state reports a lost line, too.
     if (is_closing_ || notice.kind == NoticeKind::link_lost) return;
     if (notice.kind == NoticeKind::board_error) {
       const auto reason = static_cast<roles::ErrorReason>(notice.detail);
@@ -297,7 +297,7 @@ class Gimbal::Impl : public std::enable_shared_from_this<Impl> {
     }
   }
 
-  /// The next request follows the answer, so that a slow line has only one at a time.
+  /// The next request follows the answer, so that a slow line only has one at a time.
   void poll(RunningTelemetry& one) {
     if (is_closing_) return;
     one.timer.expires_after(one.interval);
@@ -314,7 +314,7 @@ class Gimbal::Impl : public std::enable_shared_from_this<Impl> {
 
   void has_failed(RunningTelemetry& one, const ClientError& error) {
     one.is_running = false;
-    // It begins again with the next connection.
+    // It starts again with the next connection.
     if (!client_->is_connected()) return;
     if (error.code != ErrorCode::timeout) {
       tell({"telemetry_failed", fmt::format("{}: {}", one.source.info().name, error.message)});

@@ -31,8 +31,8 @@ class Io {
   Io& operator=(const Io&) = delete;
   ~Io() { finish(); }
 
-  /// Waits until nothing is left to do, and ends the threads: everything that uses the executor
-  /// must be closed before.
+  /// Waits until no work is left, and ends the threads: everything that uses the executor must be
+  /// closed before.
   void finish();
 
   asio::any_io_executor executor() { return context_.get_executor(); }
@@ -43,7 +43,7 @@ class Io {
   std::vector<std::thread> threads_;
 };
 
-/// `connecting` is only before the first attempt has ended.
+/// `connecting` only applies before the first attempt has ended.
 enum class GimbalLink : std::uint8_t { offline, connecting, online };
 
 /// The name of a state, such as "online".
@@ -58,12 +58,12 @@ constexpr const char* name(GimbalLink link) noexcept {
 
 struct GimbalStatus {
   GimbalLink link = GimbalLink::connecting;
-  std::string reason{};    ///< of not being online: a sentence without a final period
+  std::string reason{};    ///< why it is not online: a sentence without a final period
   std::string firmware{};  ///< of the last connection, such as "2.59"
   std::string board{};
   std::string serial_number{};
   std::uint64_t connections{};  ///< made since the start
-  bool is_stopping{};           ///< a stop has not succeeded for seconds: nothing may move it
+  bool is_stopping{};           ///< a stop has been failing for seconds: all motion is refused
 
   bool operator==(const GimbalStatus&) const = default;
 };
@@ -85,8 +85,8 @@ struct GimbalEvent {
   const AnyMessage* report = nullptr;  ///< what the board has sent, if anything; valid in the call
 };
 
-/// Keeps the connection to one gimbal and its telemetry, forever. Its own strand carries
-/// everything, so that it delays no other gimbal: handlers must not block.
+/// Maintains the connection to one gimbal and its telemetry, forever. It runs on its own strand, so
+/// that it delays no other gimbal: handlers must not block.
 class Gimbal {
  public:
   using Time = std::chrono::system_clock::time_point;
@@ -104,15 +104,15 @@ class Gimbal {
   /// The strand on which handlers run, and completions of client().
   asio::any_io_executor executor() const;
 
-  // Before start(). Several handlers are called in their order.
+  // Before start(). Several handlers are called in order.
   void on_status(OnStatus handler);
   void on_telemetry(OnTelemetry handler);
   void on_event(OnEvent handler);
 
   void start();
-  /// Closes the line; handlers do not run afterwards, but what was begun with client() completes
-  /// until Io::finish() returns. Any thread but those of Io, as for the destructor, which also
-  /// waits for a line that is being opened.
+  /// Closes the line; handlers do not run afterwards, but operations begun with client() complete
+  /// until Io::finish() returns. May be called from any thread except those of Io, like the
+  /// destructor, which also waits for a line that is being opened.
   void close();
 
   /// On the strand.

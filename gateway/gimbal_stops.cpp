@@ -10,7 +10,7 @@ namespace sbgc::tools {
 
 namespace {
 
-/// How often it looks who has waited long enough, and the pause after an attempt.
+/// The interval for checking waiting callers, and the pause after an attempt.
 constexpr std::chrono::milliseconds attempt_interval{100};
 
 }  // namespace
@@ -75,7 +75,7 @@ void GimbalStops::take(Debt& debt, const Result<void>& ended, Clock::time_point 
   if (!ended) debt.last = ended.error();
   const OwedStop::State state = debt.owed->take(ended, began);
   if (state == OwedStop::State::owed) return;  // look() makes the next attempt
-  // A request that was being sent can have arrived after this stop, or can still arrive.
+  // A request that was being sent may have arrived after this stop, or may still arrive.
   if (state == OwedStop::State::done && !hooks_.is_final()) return attempt(debt);
   end(debt, ended);
 }
@@ -111,7 +111,7 @@ void GimbalStops::watch() {
   });
 }
 
-/// Ends the commands that have waited long enough, with a result.
+/// Completes the commands that have waited long enough with a result.
 void GimbalStops::look(Debt& debt) {
   if (!debt.owed) return;
   const auto now = Clock::now();

@@ -1,4 +1,4 @@
-/// The stops that one gimbal is owed.
+/// The pending stops of one gimbal.
 #pragma once
 
 #include <functional>
@@ -17,21 +17,21 @@
 
 namespace sbgc::tools {
 
-/// Repeats a stop, and motors off, until they are done, ahead of all else. Stops that come while
-/// one is owed join it. All on the strand of the gimbal.
+/// Repeats a stop, and motors off, until they are done, before everything else. Stops that arrive
+/// while one is pending join it. Everything runs on the strand of the gimbal.
 class GimbalStops {
  public:
   /// Called once: when the stop has ended or, with an error, when OwedStop::patience has passed.
   using Then = std::function<void(const Result<void>&)>;
 
   struct Hooks {
-    /// The object that must live as long as something runs.
+    /// The object that must stay alive while something runs.
     std::function<std::shared_ptr<void>()> owner{};
     /// Reports the kind of an event, and a sentence.
     std::function<void(const std::string& kind, const std::string& message)> notify{};
-    /// False if the motion can have been commanded once more after the stop.
+    /// False if motion may have been commanded again after the stop.
     std::function<bool()> is_final{};
-    /// is_owed(), is_stopping() or is_late() has changed; before those who wait are told.
+    /// Called before waiting callers when is_owed(), is_stopping() or is_late() has changed.
     std::function<void()> changed{};
   };
 
@@ -41,8 +41,8 @@ class GimbalStops {
   ~GimbalStops() = default;
 
   void stop(Then then);
-  /// Nobody waits for it, so an event tells how it ends. If it is `late`, the camera may be in
-  /// other hands by now. The first reason counts.
+  /// Nobody waits for it, so an event reports its result. If it is `late`, something else may
+  /// control the camera by now. The first reason counts.
   void stop_because(const std::string& reason, bool late);
   /// `request` turns the motors off.
   void turn_motors_off(const AnyMessage& request, Then then);
@@ -50,11 +50,11 @@ class GimbalStops {
   void link_changed(bool is_online);
   void board_restarted();
 
-  /// True if something is owed.
+  /// True if a stop or motors off is pending.
   bool is_owed() const { return stop_.owed || motors_off_.owed; }
-  /// True if a stop is owed, and those who wait for it have no result yet.
+  /// True if a stop is pending, and its callers have no result yet.
   bool is_stopping() const { return stop_.owed && !stop_.is_late; }
-  /// True if something is owed for longer than OwedStop::patience: nothing may move the camera.
+  /// True if something is pending for longer than OwedStop::patience: all motion is refused.
   bool is_late() const { return stop_.is_late || motors_off_.is_late; }
   /// Makes no further attempt.
   void close();

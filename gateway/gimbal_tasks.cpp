@@ -20,11 +20,11 @@ namespace sbgc::tools {
 
 namespace {
 
-/// How often a moving gimbal looks for the broker.
+/// The interval at which a moving gimbal checks that the broker is alive.
 constexpr std::chrono::milliseconds look_interval{100};
 
 TaskOutcome failed_outcome(const ClientError& error) {
-  // The client may end a running motion before its cancellation does; "superseded" has not begun.
+  // The client may end a running motion before its cancellation; "superseded" has not begun.
   const bool is_ended = error.code == ErrorCode::superseded;
   return {error.code == ErrorCode::unconfirmed ? "unknown" : "failed",
           name(is_ended ? ErrorCode::cancelled : error.code),
@@ -90,7 +90,7 @@ void GimbalTasks::link_changed(bool is_online) {
     if (std::exchange(self->is_online_, is_online) == is_online) return;
     self->heard_ = Clock::now();
     if (!is_online) {
-      // Nothing that waits moves the camera when the line is back.
+      // No queued command may move the camera when the line is back.
       self->end_waiting_motions("link_lost", "the line to the gimbal was lost");
       if (self->is_moving()) self->halt("the line was lost while the camera could move");
       self->report_rest();
@@ -114,7 +114,7 @@ void GimbalTasks::shut_down(std::function<void()> done) {
       self->end(job, {"refused", "closing", "the gateway ends", {}});
     }
     const bool was_moving = self->is_moving();
-    // Parameters are not left half written.
+    // Writing parameters is not interrupted.
     const bool writes =
         self->current_ && std::holds_alternative<SetOrder>(self->current_->order.what);
     if (self->current_ && self->cancel_ && !writes) {
@@ -177,7 +177,7 @@ void GimbalTasks::begin_after_speed() {
   is_preparing_ = true;
   end_motion();
   stops_.stop([self = shared_from_this()](const Result<void>& stopped) {
-    // Another stop has ended the wait.
+    // Another stop may have ended the wait.
     const bool is_cancelled = !std::exchange(self->is_preparing_, false) || self->is_shut_down_;
     if (is_cancelled) {
       self->finish({"failed", name(ErrorCode::cancelled), "a later command stops the camera", {}});
@@ -212,7 +212,7 @@ void GimbalTasks::begin(const Order& order) {
     last_motion_ = std::max(last_motion_, current_->command);
     const bool is_bounded = order.goes_on.count() != 0 && order.goes_on != Order::forever;
     const auto until = is_bounded ? Clock::now() + order.goes_on : Clock::time_point::max();
-    // The dead man's switch watches a speed.
+    // The dead man's switch monitors a speed.
     if (!std::holds_alternative<SpeedOrder>(order.what)) {
       moves_until_ = std::max(moves_until_.value_or(until), until);
     }
@@ -261,7 +261,7 @@ void GimbalTasks::finish(TaskOutcome outcome) {
     moves_until_.reset();
   }
   end(ended, std::move(outcome));
-  // Not at once: the stack does not grow with what waits.
+  // Deferred, so that the stack does not grow with the queue.
   asio::post(gimbal_.executor(), [self = shared_from_this()] { self->begin_next(); });
 }
 
@@ -300,17 +300,17 @@ void GimbalTasks::turn_motors_off(Job job) {
   });
 }
 
-/// Begins to end what runs. Whether the camera stops, only a stop finds out.
+/// Begins to end the running command. Only a stop verifies that the camera stops.
 void GimbalTasks::end_motion() {
   if (std::exchange(is_turning_, false)) moves_until_ = Clock::time_point::max();
   if (speed_) static_cast<void>(speed_->stop());
-  // Nor does a request that is not confirmed yet come again.
+  // An unconfirmed request is not repeated either.
   if (current_ && !is_preparing_ && current_->order.sets_in_motion()) {
     cancel_->emit(asio::cancellation_type::terminal);
   }
 }
 
-/// Stops a camera that nobody has commanded to stop.
+/// Stops a camera without a stop command.
 void GimbalTasks::halt(const char* reason, bool late) {
   end_waiting_motions("stopped", "the camera was stopped");
   end_motion();
@@ -318,7 +318,7 @@ void GimbalTasks::halt(const char* reason, bool late) {
   stops_.stop_because(reason, late);
 }
 
-/// After a stop, no command turns the camera.
+/// During a pending stop, no command turns the camera.
 void GimbalTasks::stops_changed() {
   if (!stops_.is_owed()) moves_until_.reset();
   report_rest();
@@ -370,15 +370,15 @@ void GimbalTasks::look() {
                               : "the speed could not be held");
   }
   if (!is_moving()) return report_rest();
-  // Offline, link_changed() goes on.
+  // While offline, link_changed() continues.
   if (!is_online_) return;
   if (!stops_.is_owed() && !hooks_.is_broker_there()) halt("the broker is gone");
   watch_silence();
   watch();
 }
 
-/// Asks a gimbal that may move for its angles when the line carries nothing. Our own calls end in
-/// their own time.
+/// Requests the angles of a gimbal that may be moving when the line carries nothing. Our own calls
+/// have their own timeouts.
 void GimbalTasks::watch_silence() {
   constexpr std::chrono::milliseconds longest_unreported{1'500};
   const auto now = Clock::now();

@@ -1,4 +1,4 @@
-/// Carries out the commands of one gimbal.
+/// Executes the commands of one gimbal.
 #pragma once
 
 #include <atomic>
@@ -23,38 +23,38 @@
 
 namespace sbgc::tools {
 
-/// The end of a command.
+/// The result of a command.
 struct TaskOutcome {
   std::string status{"done"};  ///< done, failed, refused or unknown
-  std::string code{};          ///< of an error, for programs
+  std::string code{};          ///< error code, for programs
   std::string message{};       ///< the same, for people
   Json result{};               ///< null if there is none
 };
 
-/// Runs one command after the other, on the strand of the gimbal. `stop` goes first: it ends the
-/// motion, and the motions that wait; one that comes while another runs joins it. Motors are turned
-/// off before what waits, too.
+/// Runs one command after the other, on the strand of the gimbal. `stop` comes first: it ends the
+/// current motion and queued motions; a stop that arrives while another is running joins it.
+/// Turning motors off also takes precedence over the queue.
 ///
 /// A speed ends after `longest_silence` without the next one. A camera that commands may have set
 /// in motion is stopped when the broker is gone, when its line is back after a loss or silence, and
 /// at the end of the gateway; or else by the next gateway. It counts as in motion until a stop has
-/// ended, or until its last motion has ended well. While a stop is owed for long, nothing moves it.
+/// ended, or until its last motion has succeeded. While a stop is long overdue, nothing moves it.
 class GimbalTasks : public std::enable_shared_from_this<GimbalTasks> {
  public:
   using Clock = std::chrono::steady_clock;
   using Time = std::chrono::system_clock::time_point;
   using Done = std::function<void(TaskOutcome)>;
 
-  /// How long a speed lasts, and how long a line may carry nothing while the camera may move.
+  /// The duration of a speed, and the longest silence of a line while the camera may be moving.
   static constexpr std::chrono::milliseconds longest_silence{500};
 
   struct Hooks {
     std::function<bool()> is_broker_there{};
-    /// Reports what no command has asked for: the kind, and a sentence.
+    /// Reports an event that no command has requested: the kind, and a sentence.
     std::function<void(const std::string& kind, const std::string& message)> notify{};
-    /// No command up to this one has left the camera in motion.
+    /// Reports that no command up to this one has left the camera in motion.
     std::function<void(std::int64_t command)> at_rest{};
-    /// A moving gimbal that is silent for so long is lost.
+    /// A moving gimbal that is silent for this long is lost.
     std::chrono::milliseconds stop_after{2'000};
   };
 
@@ -63,7 +63,7 @@ class GimbalTasks : public std::enable_shared_from_this<GimbalTasks> {
     Order order{};
     std::optional<Time> deadline{};  ///< it must begin before
     Clock::time_point arrived{};
-    std::uint64_t stops{};  ///< what stops() was then: a later stop supersedes its motion
+    std::uint64_t stops{};  ///< the value of stops() then: a later stop supersedes its motion
     Done done{};
   };
 
@@ -71,18 +71,18 @@ class GimbalTasks : public std::enable_shared_from_this<GimbalTasks> {
   /// set it in motion with the command `moved_by`.
   GimbalTasks(Gimbal& gimbal, Hooks hooks, std::optional<std::int64_t> moved_by);
 
-  // Any thread; what they do happens on the strand.
+  // Any thread; they take effect on the strand.
 
   /// Calls `done` exactly once, on the strand.
   void run(Job job);
-  /// A stop that run() has got is this command of the journal.
+  /// Tells the journal's command number of a stop passed to run().
   void recorded(std::int64_t stop);
-  /// How many stops run() has got.
+  /// Returns the number of stops passed to run().
   std::uint64_t stops() const noexcept { return stop_count_; }
   void link_changed(bool is_online);
   void board_restarted();
-  /// Stops the camera if a command has moved it, and ends what runs or waits. `done` is called when
-  /// nothing is left to do.
+  /// Stops the camera if a command has moved it, and ends running and queued commands. `done` is
+  /// called when no work is left.
   void shut_down(std::function<void()> done);
   /// Makes no further attempt to stop the camera.
   void give_up();
@@ -127,11 +127,11 @@ class GimbalTasks : public std::enable_shared_from_this<GimbalTasks> {
   GimbalStops stops_;
   std::function<void()> shut_down_{};  // called when nothing is owed
   bool was_left_moving_;               // by an earlier gateway
-  Clock::time_point heard_{};          // the last time that the line has carried something
-  std::uint64_t frames_ = 0;           // then
+  Clock::time_point heard_{};          // when the line last carried something
+  std::uint64_t frames_ = 0;           // the count at that time
   bool is_asking_ = false;
   bool is_silent_ = false;
-  bool is_preparing_ = false;     // the current command waits until the speed has ended
+  bool is_preparing_ = false;     // the current command waits for the end of the speed
   std::int64_t last_motion_ = 0;  // the last command that may have moved the camera
   std::int64_t reported_ = 0;     // of these, at rest
   bool is_online_ = false;

@@ -14,7 +14,7 @@ namespace sbgc::tools {
 
 namespace {
 
-/// In the header of the file: what it is, and the version of its tables.
+/// In the header of the file: its type, and the version of its tables.
 constexpr std::int64_t journal_mark = 0x53424731;  // "SBG1"
 constexpr std::int64_t journal_version = 1;
 
@@ -71,7 +71,7 @@ std::shared_ptr<sqlite3> open_database(const std::filesystem::path& file) {
 /// One SQL statement with its values.
 class Journal::Statement {
  public:
-  /// The statements that read texts name the table, whose ids are the first column.
+  /// Statements that read texts name the table, whose first column is the id.
   Statement(const Journal& journal, const char* sql, const char* table = "")
       : journal_(journal), database_(*journal.database_), table_(table) {
     sqlite3_stmt* prepared = nullptr;
@@ -89,7 +89,7 @@ class Journal::Statement {
                                        SQLITE_TRANSIENT, SQLITE_UTF8));
   }
   Statement& add_bytes(std::string_view value) {
-    // A null pointer would be NULL.
+    // A null pointer would be stored as NULL.
     return checked(sqlite3_bind_blob64(statement_.get(), ++bound_,
                                        value.empty() ? "" : value.data(), value.size(),
                                        SQLITE_TRANSIENT));
@@ -144,7 +144,7 @@ class Journal::Statement {
 Journal::Journal(const std::filesystem::path& file, const JournalLimits& limits)
     : limits_(limits), database_(open_database(file)) {
   try {
-    // The lock lasts as long as the connection, so that no two gateways send the same command.
+    // The lock is held during the whole connection, so that no two gateways send the same command.
     run("PRAGMA locking_mode = EXCLUSIVE");
     run("PRAGMA journal_mode = WAL");
     run("PRAGMA synchronous = FULL");
@@ -197,7 +197,7 @@ void Journal::check_header(const std::filesystem::path& file) {
       value = value << 8U | static_cast<std::uint8_t>(header[i]);
     return value;
   };
-  // A new one has its mark and its tables in the file beside it at first.
+  // The mark and the tables of a new journal are first in the WAL file.
   const bool is_new = number(mark_at) == 0 && number(schema_at) == 0;
   const bool is_database = std::string_view(header.data(), beginning.size()) == beginning;
   if (std::filesystem::file_size(file) == 0 || (is_database && is_new)) return;
@@ -240,7 +240,7 @@ RecognizedCommand Journal::recognize(const JournalCommand& command) {
 
 std::optional<std::int64_t> Journal::admit(const JournalCommand& command, Time now) {
   forget(now);
-  // The history is at most twice as long as it should.
+  // The history is at most twice as long as configured.
   if (is_full() || finished_ >= 2 * limits_.history) return {};
   Statement insert(*this,
                    "INSERT INTO commands (gimbal, key, request, received) VALUES (?, ?, ?, ?)");
@@ -266,7 +266,7 @@ std::vector<ReplyAddress> Journal::finish(std::int64_t id, std::string_view resu
   while (replies.next()) addresses.push_back({replies.text(1), replies.bytes(2)});
   expected_ -= addresses.size();
   Statement(*this, "DELETE FROM replies WHERE command = ?").add(id).run();
-  // No copy of it is looked for.
+  // Duplicates of it are not recognized.
   Statement(*this, "DELETE FROM commands WHERE id = ? AND key IS NULL").add(id).run();
   finished_ -= static_cast<std::size_t>(sqlite3_changes(database_.get()));
   return addresses;
@@ -366,7 +366,7 @@ void Journal::add_reply(std::int64_t id, const ReplyAddress& reply) {
   expected_ += static_cast<std::size_t>(sqlite3_changes(database_.get()));
 }
 
-/// Forgets the oldest results beyond the history, unless a copy of the command may still be valid.
+/// Forgets the oldest results beyond the history, unless a duplicate of the command may be valid.
 void Journal::forget(Time now) {
   if (finished_ < limits_.history) return;
   Statement(*this,

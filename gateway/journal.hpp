@@ -1,8 +1,8 @@
-/// The memory of a gateway that survives a kill, in a file of SQLite.
+/// The persistent memory of a gateway that survives a kill, in an SQLite file.
 ///
-/// A command is on the disk before its first byte is sent. Results and events are on the disk until
-/// the broker has acknowledged them. A commit is synced (WAL, synchronous=FULL), so it also
-/// survives a power failure.
+/// A command is on disk before its first byte is sent. Results and events are on disk until the
+/// broker has acknowledged them. A commit is synced (WAL, synchronous=FULL), so it also survives a
+/// power failure.
 #pragma once
 
 #include <chrono>
@@ -31,7 +31,7 @@ struct ReplyAddress {
 /// A command that a gimbal may carry out.
 struct JournalCommand {
   std::string gimbal{};
-  std::string key{};      ///< of idempotence; "" if it may be repeated
+  std::string key{};      ///< the idempotency key; "" if it may be repeated
   std::string request{};  ///< the task and its parameters
   ReplyAddress reply{};
 };
@@ -46,7 +46,7 @@ struct UnfinishedCommand {
 
 enum class WaitingKind : std::uint8_t {
   result,  ///< of a command that was carried out; never lost
-  notice,  ///< an event or a refusal, which gives way if too much waits
+  notice,  ///< an event or a refusal, which may be dropped if too many wait
 };
 
 /// A message that the broker has not acknowledged.
@@ -60,10 +60,10 @@ struct WaitingMessage {
 
 enum class Recognition : std::uint8_t {
   unknown,   ///< no command has this key
-  running,   ///< the same command has begun; its result goes to this address, too
+  running,   ///< the same command has begun; its result is sent to this address, too
   finished,  ///< the same command has ended with `result`
   reused,    ///< the key belongs to another command
-  full,      ///< the same command has begun, but too much waits for another address
+  full,      ///< the same command has begun, but too many messages wait for another address
 };
 
 struct RecognizedCommand {
@@ -75,8 +75,8 @@ struct RecognizedCommand {
 struct JournalLimits {
   std::size_t most_waiting = 10'000;  ///< messages for the broker
   std::size_t history = 10'000;       ///< finished commands whose results are kept
-  /// No finished command is forgotten before, so that a copy of it is recognized until it expires;
-  /// nor this long before it, as the clock sees it after it was set back.
+  /// A finished command is remembered for at least this long, so that a duplicate is recognized
+  /// until it expires, even if the clock was set back by as much.
   std::chrono::milliseconds keep{60'000};
 };
 
@@ -85,43 +85,43 @@ class Journal {
  public:
   using Time = std::chrono::system_clock::time_point;
 
-  /// Opens or creates the file. Fails if another process has it open, or if it is no journal.
+  /// Opens or creates the file. Fails if another process has it open, or if it is not a journal.
   Journal(const std::filesystem::path& file, const JournalLimits& limits);
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
   ~Journal();
 
-  /// The changes between the two are on the disk when commit() returns, all or none.
+  /// The changes between the two are atomic, and on disk when commit() returns.
   void begin();
   void commit();
 
   // Within a transaction.
 
-  /// Looks for an earlier command with the same key for the same gimbal.
+  /// Finds an earlier command with the same key for the same gimbal.
   RecognizedCommand recognize(const JournalCommand& command);
-  /// Records a command that is not known. Returns its id; nothing if too much waits.
+  /// Records an unknown command. Returns its id; nothing if too many messages wait.
   std::optional<std::int64_t> admit(const JournalCommand& command, Time now);
-  /// Returns where the result of a running command goes, and keeps it for copies of the command.
+  /// Returns the addresses for the result of a running command, and keeps it for duplicates.
   std::vector<ReplyAddress> finish(std::int64_t id, std::string_view result);
-  /// Adds a message for the broker. Without room, the oldest notice gives way. There is always room
-  /// for results: admit() refuses commands before they can be too many.
+  /// Adds a message for the broker. Without room, the oldest notice is dropped. There is always
+  /// room for results: admit() refuses commands before there are too many.
   void put(const WaitingMessage& message);
   void remove(std::int64_t message);
-  /// Remembers that a command may set its gimbal in motion.
+  /// Records that a command may set its gimbal in motion.
   void set_moving(std::string_view gimbal, std::int64_t command);
-  /// No command up to this one has left the gimbal in motion.
+  /// Records that no command up to this one has left the gimbal in motion.
   void set_at_rest(std::string_view gimbal, std::int64_t command);
 
   // At any time.
 
-  /// Throws if the file is no journal of this version, as far as its first bytes tell.
+  /// Throws if the first bytes of the file show that it is not a journal of this version.
   static void check_header(const std::filesystem::path& file);
-  /// Throws if the file was removed, or another one has its name. So does commit().
+  /// Throws if the file was removed or replaced. So does commit().
   void check_place() const;
-  /// Throws for damage of a row.
+  /// Throws because of a damaged row.
   [[noreturn]] void reject_row(const char* table, std::int64_t id) const;
 
-  /// The gimbals that commands may have set in motion, and the last of these.
+  /// Returns the gimbals that commands may have set in motion, and the last of these commands.
   std::map<std::string, std::int64_t> moving() const;
 
   /// Commands that were running when the last gateway ended.
@@ -130,14 +130,14 @@ class Journal {
   std::vector<WaitingMessage> waiting_after(std::int64_t after, std::size_t most) const;
 
   std::size_t waiting() const noexcept { return waiting_; }
-  /// Notices that gave way, since the file was opened.
+  /// The number of dropped notices since the file was opened.
   std::uint64_t dropped() const noexcept { return dropped_; }
 
  private:
   class Statement;
 
   void run(const char* sql);
-  /// Notices do not count: they give way to results.
+  /// Notices do not count: they are dropped in favor of results.
   bool is_full() const noexcept { return results_ + expected_ >= limits_.most_waiting; }
   void add_reply(std::int64_t id, const ReplyAddress& reply);
   void forget(Time now);

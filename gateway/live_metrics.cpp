@@ -39,7 +39,7 @@ constexpr std::array base_units{
     BaseUnit{"Hz", "hertz", 1},
 };
 
-/// The conversion of the unit of a field: the end of the name of its metric, and a factor.
+/// Returns the conversion of the unit of a field: the suffix of the metric's name, and a factor.
 std::pair<std::string, double> base_unit_of(const UnitInfo* unit) {
   if (unit == nullptr || *unit->name == '\0') return {"", 1};
   for (const BaseUnit& base : base_units) {
@@ -54,7 +54,7 @@ std::pair<std::string, double> base_unit_of(const UnitInfo* unit) {
   return {name, 1};
 }
 
-/// Splits a path into the name of a metric and labels: "angle.roll" is "angle" of the axis roll.
+/// Splits a path into a metric name and labels: "angle.roll" is "angle" of the axis roll.
 std::string name_of_path(const std::string& path, Labels& labels) {
   std::string name;
   for (std::size_t at = 0; at < path.size();) {
@@ -71,7 +71,7 @@ std::string name_of_path(const std::string& path, Labels& labels) {
       name += '_' + step;
     }
   }
-  // Prometheus keeps the end _count for histograms.
+  // Prometheus reserves the suffix _count for histograms.
   for (const std::string_view end : {"_count", "_cnt"}) {
     if (name.ends_with(end)) name.replace(name.size() - end.size(), end.size(), "s");
   }
@@ -115,7 +115,7 @@ namespace {
 
 constexpr int intervals_until_old = 3;
 
-// From a frame at the highest baud rate to the timeout of a request over a slow radio link.
+// The range extends from a frame at the highest baud rate to a timeout over a slow radio link.
 const prometheus::Histogram::BucketBoundaries latency_limits{
     0.001, 0.0025, 0.005, 0.01, 0.025, 0.05, 0.1, 0.25, 0.5, 1, 2.5};
 

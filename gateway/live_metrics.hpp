@@ -1,5 +1,4 @@
-/// Live data of gimbals as metrics for Prometheus: asked for again and again, and described by the
-/// model.
+/// Live data of gimbals as metrics for Prometheus: polled regularly, and described by the model.
 #pragma once
 
 #include <chrono>
@@ -24,7 +23,7 @@
 
 namespace sbgc::tools {
 
-/// Metrics on their way to Prometheus, by their names.
+/// Metrics for Prometheus, by name.
 class Families {
  public:
   using ClientMetric = prometheus::ClientMetric;
@@ -60,20 +59,20 @@ class Families {
   std::map<std::string, prometheus::MetricFamily> all_{};  // by name
 };
 
-/// Adds the values of the message that have one of these paths, with this label. Names and helps
-/// come from the model, units are the base units of Prometheus: `current` in mA becomes
-/// sbgc_current_amperes. Axes become labels, and each flag or value of an enum 0 or 1.
+/// Adds the values of the message that have one of these paths, with this label. Names and help
+/// texts come from the model; units are converted to the base units of Prometheus: `current` in mA
+/// becomes sbgc_current_amperes. Axes become labels, and each flag or enum value becomes 0 or 1.
 void add_live_metrics(Families& families, const AnyMessage& message,
                       const std::set<std::string>& paths,
                       const prometheus::ClientMetric::Label& label);
 
-/// Measures how long the answer takes, and keeps the last one. Other requests wait no longer than
-/// for one frame.
+/// Measures the response time, and keeps the last answer. Other requests are delayed by one frame
+/// at most.
 class Probe : public std::enable_shared_from_this<Probe> {
  public:
   Probe(Gimbal& gimbal, std::chrono::milliseconds interval);
 
-  /// The first request is after `delay`, so that gimbals are not asked all at once.
+  /// The first request is sent after `delay`, so that gimbals are not polled all at once.
   void start(std::chrono::milliseconds delay);
   void close();
 
@@ -82,7 +81,7 @@ class Probe : public std::enable_shared_from_this<Probe> {
   /// Empty unless it is newer than a few intervals.
   std::optional<AnyMessage> live_data() const;
   prometheus::ClientMetric latency() const { return latency_.Collect(); }
-  /// Requests without an answer, by the name of the error.
+  /// The number of requests without an answer, by the name of the error.
   std::map<std::string, std::uint64_t> failures() const;
 
  private:

@@ -91,14 +91,14 @@ double resident_bytes() {
   return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
-/// Each has a thread, which waits for the request. More wait until one of these has ended.
+/// Each connection has a thread, which waits for the request. Further ones wait for a free thread.
 constexpr unsigned most_scrapes = 128;
-/// How long a request may take to arrive; in milliseconds.
+/// The timeout for receiving a request, in milliseconds.
 constexpr const char* scrape_patience = "2000";
 
 }  // namespace
 
-/// Collects the metrics when they are asked for.
+/// Collects the metrics on request.
 class Metrics::Collector : public prometheus::Collectable {
  public:
   Collector(const MetricsSettings& settings, const std::vector<std::unique_ptr<Gimbal>>& gimbals,

@@ -22,7 +22,7 @@ class Metrics {
   Metrics& operator=(const Metrics&) = delete;
   ~Metrics();
 
-  /// Begins to ask the gimbals.
+  /// Begins to poll the gimbals.
   void start();
 
   /// For example "http://127.0.0.1:9110/metrics".

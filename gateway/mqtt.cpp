@@ -26,9 +26,9 @@ namespace {
 
 using std::chrono::milliseconds;
 
-/// How often there is time for on_idle().
+/// The interval of calls of on_idle().
 constexpr milliseconds mqtt_turn{100};
-/// How long the broker may take to accept the connection.
+/// The timeout for the broker to accept the connection.
 constexpr std::chrono::seconds mqtt_patience{10};
 constexpr milliseconds first_mqtt_pause{250};
 constexpr milliseconds longest_mqtt_pause{4'000};
@@ -39,7 +39,7 @@ constexpr std::size_t most_arrived_bytes = std::size_t{1} << 20U;
 /// The largest packet to us, with MQTT 5: the payload, a topic and properties.
 constexpr std::uint32_t longest_packet = 2 * longest_payload;
 
-/// The library needs this once, before anything else.
+/// The library requires this once, before anything else.
 void initialize_mqtt() {
   static const int status = mosquitto_lib_init();
   static_cast<void>(status);
@@ -84,7 +84,7 @@ std::string bytes_property(const mosquitto_property* properties, int identifier)
   return result;
 }
 
-/// The value of the user property of this name; "" if there is none.
+/// Returns the value of the user property with this name; "" if there is none.
 std::string user_property(const mosquitto_property* properties, std::string_view wanted) {
   std::string result;
   char* name = nullptr;
@@ -125,7 +125,7 @@ struct MqttConnection::Callbacks {
           self.settings_.is_mqtt_5 ? mosquitto_reason_string(code) : mosquitto_connack_string(code);
       return;
     }
-    // Newer telemetry cannot replace what is in the buffer of the socket.
+    // Newer telemetry cannot replace data in the buffer of the socket.
     constexpr int buffer = 65'536;
     static_cast<void>(::setsockopt(mosquitto_socket(self.connection_.get()), SOL_SOCKET, SO_SNDBUF,
                                    &buffer, sizeof buffer));
@@ -195,7 +195,7 @@ MqttConnection::MqttConnection(BrokerSettings settings, const MqttPublication& w
       wake_(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {
   initialize_mqtt();
   if (!wake_) throw std::runtime_error(std::strerror(errno));
-  // Not a clean session: the broker keeps what is published while the gateway is away.
+  // Not a clean session: the broker stores messages while the gateway is offline.
   connection_.reset(mosquitto_new(settings_.client_id.c_str(), false, this));
   if (!connection_) throw std::runtime_error(std::strerror(errno));
   set_up(will);
@@ -254,7 +254,7 @@ void MqttConnection::close() {
 }
 
 void MqttConnection::wake() noexcept {
-  ::eventfd_write(wake_.get(), 1);  // fails only if the thread is to be woken anyway
+  ::eventfd_write(wake_.get(), 1);  // fails only if the thread will wake up anyway
 }
 
 void MqttConnection::subscribe(const std::vector<std::string>& filters, int quality) {
@@ -262,7 +262,7 @@ void MqttConnection::subscribe(const std::vector<std::string>& filters, int qual
   texts.reserve(filters.size());
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast): the library only reads them
   for (const std::string& one : filters) texts.push_back(const_cast<char*>(one.c_str()));
-  // With MQTT 3.1.1, a retained message has its mark only for those who subscribe later.
+  // With MQTT 3.1.1, a retained message is only marked for later subscribers.
   const int options = settings_.is_mqtt_5 ? MQTT_SUB_OPT_RETAIN_AS_PUBLISHED : 0;
   mosquitto_subscribe_multiple(connection_.get(), &last_id_, static_cast<int>(texts.size()),
                                texts.data(), quality, options, nullptr);
@@ -336,7 +336,7 @@ void MqttConnection::serve() {
     pause = std::min(2 * pause, longest_mqtt_pause);
   }
   if (!is_connected_ || is_breaking_) return;
-  handlers_.on_idle();  // the last words
+  handlers_.on_idle();  // for final messages
   mosquitto_disconnect(connection_.get());
   const auto end = Clock::now() + std::chrono::seconds(1);
   while (!can_write() && Clock::now() < end) std::this_thread::sleep_for(milliseconds(10));
@@ -372,7 +372,7 @@ std::string MqttConnection::connect() {
     constexpr std::uint32_t never = 0xFFFFFFFF;
     mosquitto_property_add_int32(properties.add(), MQTT_PROP_SESSION_EXPIRY_INTERVAL, never);
     mosquitto_property_add_int32(properties.add(), MQTT_PROP_MAXIMUM_PACKET_SIZE, longest_packet);
-    // A stop must not wait behind what is not acknowledged.
+    // A stop must not wait behind unacknowledged messages.
     mosquitto_property_add_int16(properties.add(), MQTT_PROP_RECEIVE_MAXIMUM, 0xFFFF);
     status = mosquitto_connect_bind_v5(connection_.get(), address_.host.c_str(), address_.port,
                                        keep_alive, nullptr, properties.get());
@@ -421,7 +421,7 @@ bool MqttConnection::can_write() {
   return !is_holding_;
 }
 
-/// Reads several messages, so that one commit to the disk serves all.
+/// Reads several messages, so that a single commit to the disk covers them all.
 std::string MqttConnection::read() {
   constexpr std::size_t most = 64;
   for (std::size_t i = 0; i < most; ++i) {

@@ -1,4 +1,4 @@
-/// A connection to an MQTT broker that is made again when it breaks.
+/// A connection to an MQTT broker that is restored when it breaks.
 #pragma once
 
 #include <atomic>
@@ -22,18 +22,18 @@ struct mosquitto;
 
 namespace sbgc::tools {
 
-/// A message for us. The members after is_retained are of MQTT 5, and empty if there are none.
+/// A received message. The members after is_retained are only set with MQTT 5.
 struct MqttMessage {
   std::string topic{};
-  std::string payload{};  ///< not more than longest_payload + 1 bytes of it
+  std::string payload{};  ///< at most longest_payload + 1 bytes of it
   bool is_retained = false;
   std::string reply{};
   std::string correlation{};
-  std::string key{};  ///< of idempotence: the user property "key"
+  std::string key{};  ///< the idempotency key: the user property "key"
   std::optional<std::chrono::seconds> expiry{};
 };
 
-/// A message of ours. MQTT 3.1.1 has no place for the last two.
+/// A message to publish. MQTT 3.1.1 does not support the last two members.
 struct MqttPublication {
   std::string topic{};
   std::string payload{};
@@ -43,37 +43,37 @@ struct MqttPublication {
   std::optional<std::chrono::seconds> expiry{};
 };
 
-/// Its thread talks to the broker; handlers run there. It tries the addresses in turn. A name
-/// server that does not answer, or with MQTT 5 a host that does not, keeps the thread for a while.
+/// Its thread talks to the broker; handlers run on it. It tries the addresses in turn. An
+/// unresponsive name server, or with MQTT 5 an unresponsive host, blocks the thread for a while.
 class MqttConnection {
  public:
   using Clock = std::chrono::steady_clock;
 
   struct Handlers {
-    /// What has arrived since the last call, in its order; several times a second, also if that is
-    /// nothing. It must not wait.
+    /// Receives the messages since the last call, in order; called several times per second,
+    /// possibly without messages. It must not block.
     std::function<void(std::vector<MqttMessage>)> on_messages{};
-    /// True if what has arrived may be acknowledged. Nothing at all is sent before, because the
-    /// library has the acknowledgments among what it sends; wake() tells that it has changed.
+    /// True if received messages may be acknowledged. Nothing at all is sent before, because the
+    /// library mixes acknowledgments with other data; call wake() when this changes.
     std::function<bool()> is_settled{};
     std::function<void()> on_connected{};
-    /// With a reason for people; also if an attempt to connect has failed.
+    /// Called with a reason for people; also if an attempt to connect has failed.
     std::function<void(const std::string& reason)> on_lost{};
-    /// The broker has answered the last subscribe().
+    /// Called when the broker has answered the last subscribe().
     std::function<void()> on_subscribed{};
-    /// A message with quality 1 is acknowledged. `refused` says to which topic and why the broker
-    /// did not take it, or is "". The library does not send it again.
+    /// Called when a message with quality 1 is acknowledged. `refused` gives the topic and the
+    /// reason if the broker has rejected it, or is "". The library does not send it again.
     std::function<void(int id, const std::string& refused)> on_acknowledged{};
-    /// There is time: after anything else, and several times a second. Returns true if there is
-    /// more to do as soon as the socket has taken what was published.
+    /// Called when there is time: after everything else, and several times per second. Returns true
+    /// if there is more to do as soon as the socket has accepted the published data.
     std::function<bool()> on_idle{};
-    /// A handler has thrown this. The thread ends: it acknowledges nothing more, and breaks the
-    /// connection, so that the broker publishes the will.
+    /// Called when a handler has thrown. The thread ends: it acknowledges nothing more, and breaks
+    /// the connection, so that the broker publishes the will.
     std::function<void(const std::string& problem)> on_failure{};
   };
 
-  /// Throws std::runtime_error if the settings cannot be used, such as a file that cannot be read.
-  /// The broker publishes `will` when the connection breaks.
+  /// Throws std::runtime_error if the settings are unusable, for example because a file cannot be
+  /// read. The broker publishes `will` when the connection breaks.
   MqttConnection(BrokerSettings settings, const MqttPublication& will, Handlers handlers);
   MqttConnection(const MqttConnection&) = delete;
   MqttConnection& operator=(const MqttConnection&) = delete;
@@ -81,13 +81,13 @@ class MqttConnection {
   ~MqttConnection();
 
   void start();
-  /// Ends the connection in order, without the will. Waits at most a second.
+  /// Closes the connection cleanly, without the will. Waits at most a second.
   void close();
 
   /// Makes the thread call on_idle() at once. Any thread.
   void wake() noexcept;
 
-  /// When the broker was last heard. Any thread.
+  /// Returns the time of the last traffic from the broker. Any thread.
   Clock::time_point last_heard() const noexcept {
     return Clock::time_point(Clock::duration(last_heard_.load()));
   }
@@ -97,14 +97,14 @@ class MqttConnection {
   bool is_connected() const noexcept { return is_connected_; }
   /// The broker may refuse all but the last subscription of a connection.
   void subscribe(const std::vector<std::string>& filters, int quality);
-  /// Returns the id of the message; 0 if it is too large for the broker, or its topic cannot be
-  /// one; nothing if it cannot be sent now. A message with quality 1 that has an id is sent again
-  /// after the connection was lost, until it is acknowledged.
+  /// Returns the id of the message; 0 if it is too large for the broker, or its topic is invalid;
+  /// nothing if it cannot be sent now. A message with quality 1 and an id is sent again after the
+  /// connection was lost, until it is acknowledged.
   std::optional<int> publish(const MqttPublication& message);
-  /// True if publish() has an id. There are 65,535, for both qualities, and the next one can still
-  /// belong to a message that the broker has not acknowledged.
+  /// True if publish() has a free id. There are 65,535, for both qualities, and the next one may
+  /// still belong to an unacknowledged message.
   bool can_publish() const noexcept;
-  /// Messages with quality 0 that the socket has not taken yet.
+  /// The number of messages with quality 0 that the socket has not accepted yet.
   std::size_t unsent() const noexcept { return unsent_.size(); }
 
  private:
@@ -114,11 +114,11 @@ class MqttConnection {
   };
 
   void set_up(const MqttPublication& will);
-  /// Says what a status of the library means for this attempt or connection.
+  /// Explains a status of the library for this attempt or connection.
   std::string problem_of(int status) const;
   void run();
   void serve();
-  /// Starts an attempt. Returns what went wrong, or "".
+  /// Starts an attempt. Returns the problem, or "".
   std::string connect();
   void forget_wakes();
   /// Waits for the broker or wake(), and reads and writes. Returns why the connection broke, or "".
@@ -140,7 +140,7 @@ class MqttConnection {
   std::size_t attempts_ = 0;
   bool is_connected_ = false;
   bool has_more_ = false;    // to do
-  bool is_holding_ = false;  // acknowledgments, until what has arrived is settled
+  bool is_holding_ = false;  // acknowledgments are held until received messages are settled
   std::string refusal_{};    // of the broker
   std::vector<MqttMessage> arrived_{};
   std::size_t arrived_bytes_ = 0;

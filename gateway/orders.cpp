@@ -31,7 +31,7 @@ namespace {
   throw Refusal("invalid", clipped(message));
 }
 
-/// The parameters of a task: every key must be used.
+/// The parameters of a task; every key must be used.
 class TaskParameters {
  public:
   TaskParameters(const Json& object, std::initializer_list<const char*> known) : object_(object) {
@@ -65,7 +65,7 @@ class TaskParameters {
     }
     return value->get<double>();
   }
-  /// An object with a number for some of the axes.
+  /// Parses an object with a number for some of the axes.
   AxisNumbers axes(const char* name) const {
     const Json& value = get(name);
     if (!value.is_object() || value.empty()) {
@@ -82,7 +82,7 @@ class TaskParameters {
     }
     return result;
   }
-  /// An object of names and values, as texts.
+  /// Parses an object of names and values, as texts.
   std::vector<Assignment> assignments(const char* name) const {
     std::vector<Assignment> result;
     const Json* const values = find(name);
@@ -142,7 +142,7 @@ Order read_speed(const Json& object) {
   return {.what = order, .must_not_wait = true};
 }
 
-/// True for what nobody expects any more after a while.
+/// True for effects that would be unexpected after a while.
 bool must_not_wait(Effects effects) {
   return effects.has(Effect::moves) || effects.has(Effect::restarts) ||
          effects.has(Effect::erases) || effects.has(Effect::disconnects) ||
@@ -180,7 +180,7 @@ Order read_menu(const std::string& action) {
   // Assumption: no action turns the camera for longer.
   constexpr std::chrono::minutes longest_action{1};
   Order order = call_of(*find_message(Meta<msg::ExecuteMenu>::info.name), {{"cmd_id", action}});
-  // `allow` decides about the menu actions of calibrations and motors, too.
+  // `allow` also applies to the menu actions of calibrations and motors.
   const auto& request = std::get<CallOrder>(order.what).request;
   const auto words = checked_command(request.get_if<msg::ExecuteMenu>()->cmd_id);
   if (!words.empty()) {

@@ -1,4 +1,4 @@
-/// A command of the broker, whose parameters are checked before anything is sent.
+/// Commands from the broker, whose parameters are checked before anything is sent.
 #pragma once
 
 #include <chrono>
@@ -18,13 +18,13 @@
 
 namespace sbgc::tools {
 
-/// Turns to angles.
+/// Moves to angles.
 struct MoveOrder {
   MoveTarget target{};
   MoveOptions options{};
 };
 struct StopOrder {};
-/// Turns at a speed until a dead man's switch opens.
+/// Turns at a speed until a dead man's switch triggers.
 struct SpeedOrder {
   Axes<msg::ControlSpeed> speed{};
 };
@@ -48,24 +48,24 @@ struct SetOrder {
 struct Order {
   std::variant<StopOrder, MoveOrder, SpeedOrder, CallOrder, CalibrateOrder, GetOrder, SetOrder>
       what{};
-  /// It happens soon or never: the camera can move, the motors gain or lose power, the board
-  /// restarts, or nobody knows.
+  /// It must run soon or never: the camera can move, the motors gain or lose power, the board
+  /// restarts, or the effect is unknown.
   bool must_not_wait = false;
-  /// It turns the motors off, so it goes before all others but `stop`.
+  /// It turns the motors off, so it takes precedence over all others but `stop`.
   bool is_urgent = false;
-  /// How long what it sets in motion may go on after the response.
+  /// The duration of the motion after the response.
   std::chrono::milliseconds goes_on{0};
 
   static constexpr auto forever = std::chrono::milliseconds::max();
 
-  /// True if the camera must be stopped when nobody is there any more.
+  /// True if the camera must be stopped when nobody is in control any more.
   bool sets_in_motion() const {
     return std::holds_alternative<MoveOrder>(what) || std::holds_alternative<SpeedOrder>(what) ||
            goes_on.count() != 0;
   }
 };
 
-/// Returns what the parameters of a task mean. Throws Refusal. Messages of `raw` may read and have
+/// Parses the parameters of a task. Throws Refusal. Messages of `raw` may read and have
 /// `raw_effects`.
 Order read_order(std::string_view task, const Json& parameters, Effects raw_effects);
 

@@ -11,16 +11,16 @@ namespace sbgc::tools {
 
 namespace {
 
-/// Messages on the way to the broker.
+/// The maximum number of unacknowledged messages.
 constexpr std::size_t most_unacknowledged = 64;
 constexpr std::size_t most_unsent = 256;
-/// After which a message that the broker has refused, as for a quota, is published again.
+/// The pause before a message that the broker has refused, as for a quota, is published again.
 constexpr std::chrono::seconds pause_after_refusal{10};
-/// Half of what may pass unseen while the broker is suspended.
+/// Half of the time that a suspension of the broker may remain undetected.
 constexpr std::chrono::milliseconds longest_beat_interval{250};
-/// Events that wait for the thread of the journal.
+/// The maximum number of events that wait for the thread of the journal.
 constexpr std::size_t most_notices = 1'000;
-/// Topics of replies are the choice of others.
+/// The topics of replies are chosen by others.
 constexpr std::size_t most_refusals_told = 100;
 
 }  // namespace
@@ -37,7 +37,7 @@ Outbox::Outbox(const BrokerSettings& settings, const Topics& topics,
   settle_unfinished();
 }
 
-/// Nobody knows what became of commands that an earlier gateway had begun.
+/// The results of commands that an earlier gateway had begun are unknown.
 void Outbox::settle_unfinished() {
   journal_.begin();
   for (const UnfinishedCommand& one : journal_.unfinished()) {
@@ -227,7 +227,7 @@ void Outbox::shorten(const WaitingMessage& message) {
   }
 }
 
-/// Fetches what publish() can take, the refused that are due first.
+/// Loads what publish() can send; refused messages that are due come first.
 void Outbox::load() {
   std::vector<std::int64_t> again;
   std::size_t room = 0;
@@ -242,7 +242,7 @@ void Outbox::load() {
   }
   std::vector<WaitingMessage> found;
   for (const std::int64_t id : again) {
-    // A notice may have given way.
+    // A notice may have been dropped.
     for (WaitingMessage& one : journal_.waiting_after(id - 1, 1)) {
       if (one.id == id) found.push_back(std::move(one));
     }
@@ -274,7 +274,7 @@ bool Outbox::publish() {
 
 void Outbox::publish_waiting() {
   while (true) {
-    const WaitingMessage* message = nullptr;  // nobody else removes it
+    const WaitingMessage* message = nullptr;  // only this thread removes it
     {
       const std::scoped_lock lock(mutex_);
       const bool is_due =
@@ -312,7 +312,7 @@ void Outbox::publish_states() {
   }
 }
 
-/// Returns true if some is left.
+/// Returns true if messages are left.
 bool Outbox::publish_telemetry() {
   constexpr std::chrono::seconds lifetime{10};
   while (mqtt_.can_publish() && mqtt_.unsent() < most_unsent) {
@@ -326,13 +326,13 @@ bool Outbox::publish_telemetry() {
   return mqtt_.can_publish();
 }
 
-/// A message that the broker must acknowledge shows that it is there; it also carries figures.
+/// A message that the broker must acknowledge shows that it is alive; it also carries statistics.
 void Outbox::beat() {
   const auto now = MqttConnection::Clock::now();
   const auto interval = std::min(settings_.stop_after / 4, longest_beat_interval);
   if (heartbeat_ || now < last_beat_ + interval) return;
   last_beat_ = now;
-  disk_.wake();  // it looks whether the journal is still there
+  disk_.wake();  // it checks that the journal still exists
   heartbeat_ = mqtt_.publish(
       {.topic = topics_.of(gateway_level, "heartbeat"), .payload = gateway_state("online")});
 }

@@ -1,5 +1,5 @@
-/// The messages to the broker: results and events wait on the disk until it has acknowledged them,
-/// states and samples in memory until newer ones replace them.
+/// The messages to the broker: results and events stay on disk until it has acknowledged them,
+/// states and samples stay in memory until newer ones replace them.
 #pragma once
 
 #include <atomic>
@@ -30,7 +30,7 @@
 namespace sbgc::tools {
 
 /// The newest payload of each topic, for a reader that may be slower than the writers. Thread-safe.
-/// Topics are taken in the order in which they became new, so that none starves.
+/// Topics are read in the order of their updates, so that none starves.
 class LatestByTopic {
  public:
   struct Entry {
@@ -38,7 +38,7 @@ class LatestByTopic {
     std::string payload{};
   };
 
-  /// Replaces the payload of the topic. Returns true if there was nothing to take before.
+  /// Replaces the payload of the topic. Returns true if nothing was pending before.
   bool put(std::string topic, std::string payload) {
     const std::scoped_lock lock(mutex_);
     const auto [at, is_new] = payloads_.insert_or_assign(topic, std::move(payload));
@@ -58,7 +58,7 @@ class LatestByTopic {
     return Entry{std::move(node.key()), std::move(node.mapped())};
   }
 
-  /// Payloads that newer ones have replaced.
+  /// The number of payloads that newer ones have replaced.
   std::uint64_t thinned() const {
     const std::scoped_lock lock(mutex_);
     return thinned_;
@@ -74,7 +74,7 @@ class LatestByTopic {
 struct OutboxStatistics {
   std::uint64_t thinned{};       ///< samples of telemetry that newer ones replaced
   std::uint64_t dropped{};       ///< events and refusals for which there was no room
-  std::uint64_t ignored{};       ///< stops with something wrong that was ignored
+  std::uint64_t ignored{};       ///< stops with ignored errors
   std::uint64_t acknowledged{};  ///< results, events and refusals
   std::size_t waiting{};         ///< results, events and refusals on the disk
   std::size_t most_waiting{};
@@ -86,7 +86,7 @@ struct OutboxStatistics {
 
 class Outbox {
  public:
-  /// `disk`, which calls record(), and `mqtt` can be constructed later.
+  /// `disk`, which calls record(), and `mqtt` may be constructed later.
   Outbox(const BrokerSettings& settings, const Topics& topics,
          const DuplicateGatewayDetector& duplicates, Journal& journal, Worker& disk,
          MqttConnection& mqtt);
@@ -96,44 +96,44 @@ class Outbox {
 
   // Any thread.
 
-  /// An event, or the result of a command that is not in the journal.
+  /// Publishes an event, or the result of a command that is not in the journal.
   void notify(WaitingMessage notice);
-  /// A command of the journal has ended.
+  /// Records the end of a command of the journal.
   void finish(std::int64_t command, const std::string& gimbal, const Json& result);
-  /// No command up to this one has left the gimbal in motion.
+  /// Records that no command up to this one has left the gimbal in motion.
   void set_at_rest(const std::string& gimbal, std::int64_t command);
   void put_sample(std::string topic, std::string payload);
-  /// Is retained, and published again with each connection.
+  /// Publishes a retained state, again with each connection.
   void set_state(const std::string& topic, std::string payload);
-  /// The payload of the gateway's own topics.
+  /// Returns the payload of the gateway's own topics.
   std::string gateway_state(const char* state) const;
   void count(const std::string& status);
   void count_dropped() noexcept { ++overflowed_; }
   void count_ignored() noexcept { ++ignored_; }
   OutboxStatistics statistics() const;
-  /// Commands of the journal that have not ended.
+  /// The number of commands of the journal that have not ended.
   std::size_t running() const noexcept { return running_; }
 
   // On the thread of the journal.
 
   void has_begun() noexcept { ++running_; }
-  /// Puts a result on the disk.
+  /// Writes a result to the journal.
   void answer(WaitingKind kind, const std::string& gimbal, const ReplyAddress& address,
               Json result);
-  /// One commit for all that has ended, happened or was acknowledged; then publish() gets more.
+  /// Commits all ended commands, events and acknowledgments; then publish() gets more.
   void record();
 
   // On the thread of the connection, which never waits for the journal.
 
   void connected();
   void acknowledged(int id, const std::string& refused);
-  /// True if a heartbeat is without its acknowledgment for too long, or was since the last call.
+  /// True if the acknowledgment of a heartbeat is late, or was late since the last call.
   bool was_late(MqttConnection::Clock::time_point now);
-  /// Returns true if some is left that can be published.
+  /// Returns true if publishable messages are left.
   bool publish();
 
  private:
-  /// The end of a command, or of what it has set in motion, on its way to the disk.
+  /// The end of a command, or of its motion, on its way to the disk.
   struct Ended {
     std::int64_t command{};
     std::string gimbal{};
@@ -143,12 +143,12 @@ class Outbox {
     std::int64_t command{};
     std::string gimbal{};
   };
-  /// The broker never takes it as it is.
+  /// A message that is too large for the broker.
   struct Oversized {
     WaitingMessage message{};
   };
   using Happening = std::variant<WaitingMessage, Ended, AtRest, Oversized>;
-  /// A message of the journal that the broker has not taken.
+  /// A message of the journal that the broker has refused.
   struct RefusedMessage {
     MqttConnection::Clock::time_point again{};
     std::int64_t id{};
@@ -178,20 +178,20 @@ class Outbox {
   std::vector<std::int64_t> delivered_{};            // messages of the journal, acknowledged
   std::deque<RefusedMessage> refused_{};             // the others
   std::deque<WaitingMessage> loaded_{};              // messages of the journal to publish
-  std::size_t in_flight_ = 0;                        // these, and those on the way
+  std::size_t in_flight_ = 0;                        // these, and the unacknowledged ones
   std::map<std::string, std::string> states_{};      // by topic
-  std::map<std::string, std::string> new_states_{};  // that are not published
+  std::map<std::string, std::string> new_states_{};  // states to publish
   std::map<std::string, std::uint64_t> ended_{};     // commands by status
   std::atomic<std::uint64_t> acknowledged_{0};
   std::atomic<std::size_t> waiting_{0};
   std::atomic<std::uint64_t> gave_way_{0};    // notices on the disk
-  std::atomic<std::uint64_t> overflowed_{0};  // notices that never came there
+  std::atomic<std::uint64_t> overflowed_{0};  // notices that were never stored
   std::atomic<std::uint64_t> ignored_{0};
   std::atomic<std::size_t> running_{0};
 
   // For the thread of the connection:
   std::unordered_map<int, std::int64_t> on_the_way_{};  // messages of the journal by their MQTT id
-  std::set<std::string> refusals_{};                    // of this connection, that were told
+  std::set<std::string> refusals_{};                    // already reported for this connection
   std::optional<int> heartbeat_{};
   MqttConnection::Clock::time_point last_beat_{};
   bool was_late_ = false;

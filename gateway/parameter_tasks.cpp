@@ -23,7 +23,7 @@ Task<Result<std::uint8_t>> chosen_profile(std::optional<std::uint8_t> wanted) {
   co_return static_cast<std::uint8_t>(*active);
 }
 
-/// The values of a block that a name means.
+/// Adds the values of a block that a name denotes.
 void add_shown(Json& list, const FoundParameters& found, const Parameters& block,
                const Availability& versions) {
   const std::vector<ShownParameter> all = shown_parameters(block, versions);
@@ -35,7 +35,7 @@ void add_shown(Json& list, const FoundParameters& found, const Parameters& block
   }
 }
 
-/// The copies of a block that a name means: blocks that profiles share have one.
+/// Returns the copy of the block that a name denotes: blocks shared by profiles have one.
 std::uint8_t copy_of(const FoundParameters& one, std::uint8_t profile) {
   return one.message->copies == 1 ? std::uint8_t{0} : profile;
 }

@@ -8,7 +8,7 @@
 
 namespace sbgc::tools {
 
-/// Returns the parameters as `sbgc params get --format json` does.
+/// Returns the parameters in the format of `sbgc params get --format json`.
 Task<Result<Json>> get_parameters(GetOrder order);
 
 /// Reads, changes, writes, reads back and compares. Returns the changes.

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t deepest_payload = 16;
 
-/// True if a text can be part of a topic, and be shown.
+/// True if a text can be part of a topic, and is displayable.
 bool is_plain_text(std::string_view text) {
   bool is_plain = true;
   detail::for_each_sequence(text, [&](std::string_view sequence, bool is_valid) {
@@ -130,7 +130,7 @@ bool is_key(std::string_view text) {
 
 void read_payload(std::string_view text, const Topics& topics, CommandPayload& payload) {
   const Json members = payload_members(text);
-  // Where the result goes comes first: it also gets the refusal of the rest.
+  // The reply address is parsed first: it also gets refusals of the rest.
   for (const char* const name : {"reply", "correlation", "key"}) {
     const auto found = members.find(name);
     if (found != members.end()) read_member(name, *found, topics, payload);

@@ -1,11 +1,11 @@
-/// The topics of a gateway, and what the payloads of commands say. They come from anywhere.
+/// The topics of a gateway, and the payloads of commands, which are untrusted.
 ///
 ///     sbgc/<fleet>/<gimbal>/state                 retained
 ///     sbgc/<fleet>/<gimbal>/telemetry/<message>
 ///     sbgc/<fleet>/<gimbal>/event
 ///     sbgc/<fleet>/<gimbal>/cmd/<task>            to the gateway
 ///     sbgc/<fleet>/<gimbal>/raw                   to the gateway
-///     sbgc/<fleet>/reply/…                        results, where the commands want them
+/// sbgc/<fleet>/reply/…                        results, at the address of the command
 ///     sbgc/<fleet>/gateway/…                      of the gateway itself
 #pragma once
 
@@ -33,7 +33,7 @@ inline constexpr std::size_t longest_reply = 256;  ///< topic
 inline constexpr std::size_t most_reply_levels = 32;
 inline constexpr std::size_t longest_correlation = 128;
 
-/// Why a command is refused: a word for programs and a sentence for people.
+/// A refused command: a word for programs and a sentence for people.
 class Refusal : public std::runtime_error {
  public:
   Refusal(const char* code, const std::string& message)
@@ -58,9 +58,9 @@ class Topics {
   std::string of(std::string_view gimbal, std::string_view rest) const {
     return root_ + std::string(gimbal) + '/' + std::string(rest);
   }
-  /// Returns what a topic commands; nothing if it is not one of commands.
+  /// Parses a command topic; returns nothing for other topics.
   std::optional<CommandTopic> command(std::string_view topic) const;
-  /// True if results may go there: what every broker takes as a topic.
+  /// True if results may be sent there: a topic that every broker accepts.
   bool is_reply(std::string_view topic) const;
 
  private:
@@ -81,17 +81,17 @@ struct CommandPayload {
 
 bool is_utf8(std::string_view text);
 
-/// True if it can be a key of idempotence.
+/// True if it can be an idempotency key.
 bool is_key(std::string_view text);
 
-/// Reads into `payload`, so that what comes before a problem is known. Throws Refusal.
+/// Parses into `payload`, which keeps the members before a problem. Throws Refusal.
 void read_payload(std::string_view text, const Topics& topics, CommandPayload& payload);
 
-/// The same for a `stop`, which needs nothing: returns what is wrong, and is ignored.
+/// The same for a `stop`, which needs no members: returns the problems, which are ignored.
 std::vector<std::string> read_stop_payload(std::string_view text, const Topics& topics,
                                            CommandPayload& payload);
 
-/// A time as payloads and the journal have it.
+/// Converts a time to the format of payloads and the journal.
 inline std::int64_t unix_milliseconds(std::chrono::system_clock::time_point time) {
   return std::chrono::duration_cast<std::chrono::milliseconds>(time.time_since_epoch()).count();
 }

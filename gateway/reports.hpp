@@ -1,4 +1,4 @@
-/// The payloads that a gateway publishes, and the JSON Schema of what it says and understands.
+/// The payloads that a gateway publishes, and the JSON Schema of all payloads.
 #pragma once
 
 #include <chrono>
@@ -15,26 +15,26 @@
 
 namespace sbgc::tools {
 
-/// The beginning of every payload.
+/// Returns the common members of every payload.
 Json stamped(std::chrono::system_clock::time_point time = std::chrono::system_clock::now());
 
 std::string payload_text(const Json& json);
 
-/// With `has_units`, "units" has what the numbers of "fields" mean, by path.
+/// With `has_units`, "units" has the values of "fields" in their units, by path.
 std::string sample_text(const AnyMessage& message, std::chrono::system_clock::time_point time,
                         bool has_units);
 
 std::string event_text(const GimbalEvent& event, std::chrono::system_clock::time_point time);
 
-/// The common members of results; those of a command with a key are kept without the address.
+/// The common members of results; with a key, the result is stored without the address.
 Json result_json(const std::string& gimbal, const std::string& task, const std::string& key,
                  const TaskOutcome& outcome);
 
-/// A result: to the address or, without one, among the events of the gimbal.
+/// Returns a message with a result: to the address or, without one, as an event of the gimbal.
 WaitingMessage answer_to(const Topics& topics, const std::string& gimbal,
                          const ReplyAddress& address, Json result);
 
-/// Leaves out what a result or an event reports at length; nothing if there is no such thing.
+/// Removes the lengthy part of a result or an event; returns nothing if there is none.
 std::optional<std::string> shortened(const std::string& payload);
 
 /// Returns a JSON Schema (draft 2020-12) with a definition for each kind of payload:

@@ -22,7 +22,7 @@ Json time_schema(const char* description) {
 }
 Json one_of_texts(const std::vector<std::string>& texts) { return {{"enum", texts}}; }
 
-/// An object with just these members.
+/// An object with exactly these members.
 Json object_schema(Json properties, const std::vector<std::string>& required) {
   Json schema{{"type", "object"}};
   schema["properties"] = std::move(properties);
@@ -38,7 +38,7 @@ Json members_schema(const std::vector<FieldType>& members, bool is_to_board) {
   std::vector<std::string> required;
   for (const FieldType& member : members) {
     properties[member.name] = value_schema(member, is_to_board);
-    // A member that a command lacks is as in a new message.
+    // A member that a command omits has the value of a new message.
     if (!is_to_board && !member.is_optional && !member.is_counter && !member.is_tail()) {
       required.emplace_back(member.name);
     }
@@ -53,7 +53,7 @@ Json integer_schema(const FieldType& type) {
   return {{"type", "integer"}, {"minimum", type.lowest}, {"maximum", type.highest}};
 }
 
-/// Commands may name values.
+/// Commands may use names of values.
 Json number_schema(const FieldType& type, bool is_to_board) {
   Json number = type.shape == FieldShape::integer ? integer_schema(type)
                                                   // JSON has no infinities and NaN: they are words.
@@ -85,7 +85,7 @@ Json shape_schema(const FieldType& type, bool is_to_board) {
     }
     case FieldShape::integer:
     case FieldShape::real: return number_schema(type, is_to_board);
-    // A secret is words instead.
+    // Secrets are replaced by text.
     case FieldShape::bytes: return {{"type", "string"}};
     case FieldShape::text: return text_schema();
     case FieldShape::announced:
@@ -105,7 +105,7 @@ std::string fields_name(const MessageType& type) {
   return std::string("fields.") + type.info->name;
 }
 
-/// The members of a message and those of what it is part of.
+/// The members of a message, and those of the enclosing payload.
 Json message_schema(const MessageType& type, Json others,
                     const std::vector<std::string>& required) {
   others["message"] = {{"const", type.info->name}};
@@ -113,7 +113,7 @@ Json message_schema(const MessageType& type, Json others,
   return object_schema(std::move(others), required);
 }
 
-/// A message with its fields: any of those that pass `is_wanted`.
+/// A message with its fields: any type that passes `is_wanted`.
 template <class Wanted>
 Json messages_schema(const Json& others, const std::vector<std::string>& required,
                      Wanted is_wanted) {
@@ -255,7 +255,7 @@ Json state_schema() {
   return object_schema(std::move(properties), {"version", "time", "state"});
 }
 
-/// The last will has no time and no figures.
+/// The last will has no time and no statistics.
 Json gateway_state_schema() {
   Json properties = stamp_schema();
   properties["state"] = one_of_texts({"offline", "online"});

@@ -22,7 +22,7 @@ bool is_telemetry_name(std::string_view word, const MessageInfo& info) {
   return detail::is_same_word(word, info.name) || is_command_name(word, info.command);
 }
 
-/// True if the message only asks, and needs no content.
+/// True if the message only requests data, and needs no content.
 bool is_plain_request(const MessageType& type) {
   const MessageInfo& info = *type.info;
   return type.is_sent_to_board() && info.min_size == 0 && info.effects == Effects(Effect::reads) &&

@@ -13,11 +13,11 @@
 
 namespace sbgc::tools {
 
-/// A data stream, or if the board has none of the message, the request that it answers.
+/// A data stream, or if the board has none for the message, the request that it answers.
 class TelemetrySource {
  public:
-  /// The name is that of a message from the board, or of its command. `contents` chooses what the
-  /// samples of a stream contain: flags or NAME=VALUE. Throws CommandError.
+  /// The name is that of a message from the board, or of its command. `contents` selects the
+  /// contents of the samples: flags or NAME=VALUE. Throws CommandError.
   static TelemetrySource find(std::string_view message, std::string_view contents);
 
   const MessageInfo& info() const { return stream_ ? stream_->info() : *answer_->info; }

@@ -37,7 +37,7 @@ bool is_there_no_tls(int reason) {
          reason == SSL_R_UNEXPECTED_EOF_WHILE_READING;
 }
 
-/// True for what a broker says of the certificate of its client.
+/// True for an alert about the client's certificate.
 bool is_about_certificate(int alert) {
   return alert == SSL_AD_HANDSHAKE_FAILURE || alert == SSL_AD_CERTIFICATE_REQUIRED ||
          (alert >= SSL3_AD_NO_CERTIFICATE && alert <= SSL_AD_ACCESS_DENIED &&

@@ -1,4 +1,4 @@
-/// Errors of TLS, in words. The library of MQTT reads the files, connects and verifies.
+/// TLS errors in words. The MQTT library reads the files, connects and verifies.
 #pragma once
 
 #include <filesystem>
@@ -15,13 +15,13 @@ void require_authorities(const std::filesystem::path& file);
 void require_certificate(const std::filesystem::path& file);
 void require_key(const std::filesystem::path& file, const std::filesystem::path& certificate);
 
-/// The log of the library about an attempt to connect.
+/// The library's log of an attempt to connect.
 class TlsLog {
  public:
-  /// `verified` is what OpenSSL says of the certificate of the broker meanwhile.
+  /// `verified` is OpenSSL's verification result for the certificate of the broker.
   void take(std::string_view line, long verified);
-  /// Returns why there is no connection, and what to do; "" if that is not known. `is_closed` if
-  /// the broker has closed it before it answered.
+  /// Returns the reason of the failure, and a remedy; "" if unknown. `is_closed` if the broker has
+  /// closed the connection before it answered.
   std::string reason(const BrokerAddress& address, const BrokerSettings& settings,
                      bool is_closed) const;
 

@@ -1,4 +1,4 @@
-/// A thread that works when there is something to do.
+/// A thread that works on demand.
 #pragma once
 
 #include <condition_variable>
@@ -43,7 +43,7 @@ class Worker {
     }
     woken_.notify_one();
   }
-  /// Throws std::runtime_error with what `work` has thrown.
+  /// Throws std::runtime_error with the error of `work`.
   void check() const {
     const std::scoped_lock lock(mutex_);
     if (!problem_.empty()) throw std::runtime_error(problem_);

@@ -1,8 +1,8 @@
 """Builds the package with CMake (PEP 517), without other Python packages.
 
-The libraries that it needs are those of `./dev build`, and pybind11: see `python` in ./dev. A Python
-that is newer than Debian's needs a newer pybind11, which pip provides. The same commit makes the same
-wheel if SOURCE_DATE_EPOCH is set.
+It needs the libraries of `./dev build`, and pybind11: see `python` in ./dev. A Python that is newer than
+Debian's needs a newer pybind11, which pip provides. The same commit makes the same wheel if
+SOURCE_DATE_EPOCH is set.
 """
 
 from __future__ import annotations
@@ -30,8 +30,8 @@ if sys.version_info < (3, 9):
     raise SystemExit(f"sbgc: Python 3.9 or newer is needed, this is {sys.version.split()[0]}")
 
 ROOT = Path(__file__).resolve().parents[1]
-# For every Python: only the extension differs. Another processor has a folder of its own: Python compiles
-# extensions for the one that these variables of its own name.
+# Shared by every Python: only the extension differs. Another processor has its own folder: Python
+# compiles extensions for the processor that these variables name.
 PROCESSOR = os.environ.get("_PYTHON_HOST_PLATFORM", "")
 BUILD = ROOT / "build" / f"wheel{'-' if PROCESSOR else ''}{PROCESSOR}"
 EXTENSION = f"_core{sysconfig.get_config_var('EXT_SUFFIX')}"
@@ -44,7 +44,7 @@ SOURCES = [
 Settings = Optional[Mapping[str, Any]]
 
 
-# The packages of Debian, and a program or header of each.
+# The Debian packages, and a program or header of each.
 PROGRAMS = {"cmake": "cmake", "ninja-build": "ninja", "g++": "c++"}
 HEADERS = {"pybind11-dev": "pybind11/pybind11.h"}
 HAS_CLIENT = sys.platform == "linux"
@@ -58,7 +58,7 @@ if HAS_CLIENT:
     }
 
 
-# Modules that read TOML; from 3.11 on, Python has the first.
+# Modules that read TOML; the first is part of Python since 3.11.
 TOML = ["tomllib", "tomli", "pip._vendor.tomli"]
 
 
@@ -70,7 +70,7 @@ def _has_module(name: str) -> bool:
 
 
 def get_requires_for_build_wheel(config_settings: Settings = None) -> list[str]:
-    """The packages that this Python needs for building: none with those of Debian."""
+    """Return the packages that this Python needs for building: none with those of Debian."""
     needed = [] if any(map(_has_module, TOML)) else ["tomli"]
     has_debians = sys.version_info < (3, 12) and HAS_CLIENT
     return needed + ([] if has_debians else ["pybind11 >= 2.13.6"])
@@ -83,7 +83,7 @@ def _project() -> dict[str, Any]:
 
 
 def missing_packages() -> list[str]:
-    """The packages of Debian that building needs and this system lacks."""
+    """Return the Debian packages that building needs and this system lacks."""
     missing = [package for package, name in PROGRAMS.items() if shutil.which(name) is None]
     if "g++" not in missing:
         missing += [package for package, header in HEADERS.items() if not _has(header)]
@@ -137,7 +137,7 @@ def _tag() -> str:
 
 
 def _compile() -> Path:
-    """The folder of the built package."""
+    """Return the folder of the built package."""
     if missing := missing_packages():
         raise SystemExit(f"sbgc: building needs packages: apt-get install {' '.join(missing)}")
     options = {
@@ -162,10 +162,10 @@ def _compile() -> Path:
     cache = BUILD / "CMakeCache.txt"
     if cache.exists() and f"CMAKE_HOME_DIRECTORY:INTERNAL={ROOT}\n" not in cache.read_text():
         shutil.rmtree(BUILD)  # the checkout has been moved
-    # Without what CMake has found for another Python.
+    # Forget what CMake has found for another Python.
     forget = ["-U", "*Python_*", "-U", "PYTHON_*", "-U", "pybind11_*"]
     subprocess.run(["cmake", "-S", ROOT, "-B", BUILD, "-G", "Ninja", *forget, *said], check=True)
-    # More compilers than processors take more memory and processor time.
+    # More compilers than processors would cost memory and processor time.
     environment = {
         "CMAKE_BUILD_PARALLEL_LEVEL": str(os.cpu_count() or 1),
         **os.environ,
@@ -177,7 +177,7 @@ def _compile() -> Path:
 
 
 def _package() -> list[Path]:
-    """The files of the package, of which the extension is for this Python alone."""
+    """Return the files of the package; only the extension is specific to this Python."""
     return [path for path in _files(_compile()) if path.name == EXTENSION or path.suffix != ".so"]
 
 
@@ -186,7 +186,7 @@ def _time() -> float:
 
 
 def _information() -> dict[str, bytes]:
-    """The files that describe the package, by name."""
+    """Return the files that describe the package, by name."""
     wheel = f"Wheel-Version: 1.0\nGenerator: sbgc\nRoot-Is-Purelib: false\nTag: {_tag()}\n"
     license = (ROOT / "LICENSE").read_bytes()
     scripts = "".join(f"{name} = {place}\n" for name, place in _project()["scripts"].items())
@@ -220,7 +220,7 @@ def build_wheel(
 def build_editable(
     wheel_directory: str, config_settings: Settings = None, metadata_directory: Optional[str] = None
 ) -> str:
-    """Write a wheel that leads to the sources; the extension and new files need another one."""
+    """Write a wheel that refers to the sources; a changed extension or new files need a new wheel."""
     folder = BUILD / "editable" / (sys.implementation.cache_tag or "python")
     shutil.rmtree(folder, ignore_errors=True)
     for built in _package():

@@ -10,8 +10,8 @@ include(CheckCXXCompilerFlag)
 include(CheckPIESupported)
 check_pie_supported(LANGUAGES CXX)
 
-# Not every processor has each of them; -Werror, because clang++ only warns. Without -fcf-protection: the
-# linker drops its mark, and with it the effect, because the start files and libraries of Debian lack it.
+# Not every processor has them all; -Werror, because clang++ only warns. Without -fcf-protection:
+# the linker drops its mark, and so its effect, because Debian's start files and libraries lack it.
 foreach(flag IN ITEMS -fstack-protector-strong -fstack-clash-protection)
   string(MAKE_C_IDENTIFIER "sbgc_has${flag}" is_supported)
   set(CMAKE_REQUIRED_FLAGS -Werror)
@@ -21,7 +21,7 @@ foreach(flag IN ITEMS -fstack-protector-strong -fstack-clash-protection)
 endforeach()
 target_link_options(sbgc_hardening INTERFACE LINKER:-z,relro,-z,now,-z,noexecstack)
 
-# Needs optimization; the sanitizers have checks of their own.
+# Needs optimization; the sanitizers have their own checks.
 string(TOUPPER "CMAKE_CXX_FLAGS_${CMAKE_BUILD_TYPE}" flags)
 if("${${flags}}" MATCHES "-O[1-3sz]" AND NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")
   # Some compilers define a lower level themselves. g++ has level 3 from version 12 on.

@@ -85,7 +85,7 @@ def random_bodies() -> Iterator[bytes]:
 
 
 def typical_bodies() -> Iterator[bytes]:
-    """The bodies with typical values of the test vectors, again and again."""
+    """The bodies with typical values of the test vectors, repeated."""
     lines = VECTORS.read_text(encoding="utf-8").splitlines()
     vectors = [vector for vector in map(json.loads, lines) if vector["why"] == "typical values"]
     bodies = [bytes.fromhex(v["hex"]) for v in vectors if v["message"] == "RealtimeData4"]

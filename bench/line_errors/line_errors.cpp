@@ -1,5 +1,5 @@
-// How many answers are right, wrong or missing on a bad line, in each framing: in virtual time,
-// with the emulated board, and the same in each run.
+// Counts right, wrong and missing answers on a bad line, for each framing: in virtual time, with
+// the emulated board, and with the same results in each run.
 //
 //     line_errors [REQUESTS]
 //
@@ -138,7 +138,7 @@ class Host {
   }()};
 };
 
-/// Sends the same request again and again and compares the answers with that on a line without
+/// Sends the same request repeatedly and compares the answers with that on a line without
 /// errors.
 template <class M>
 void measure(const Quality& quality, const char* what, Framing framing, const M& request,

@@ -154,11 +154,11 @@ class Board::Core {
  private:
   /// The pause after which a partial frame is dropped. Assumption.
   static constexpr Duration idle_time = milliseconds(100);
-  /// From the end of a request to its execution. Assumption.
+  /// The delay between the end of a request and its execution. Assumption.
   static constexpr Duration reaction_time = microseconds(100);
 
-  /// Runs one step of the board. Any frame sent in this step may report a change that the step made
-  /// to the memory.
+  /// Runs one step of the board. Any frame sent in this step may report a change of the memory in
+  /// this step.
   template <class Do>
   void step(Do&& something) {
     const std::uint32_t before = device.memory.revision;
@@ -254,10 +254,10 @@ class Board::Core {
     return context.refuse(reason);
   }
 
-  /// True if a request is executed that is decoded with this status.
+  /// True if a request with this decoding status is executed.
   bool is_accepted(const Status& status, bool has_surplus) const {
     if (has_surplus && device.options.is_strict) return false;
-    // Flags may say that even the largest form ends earlier.
+    // Flags may indicate that even the largest form ends earlier.
     return status || (has_surplus && status.code == Code::too_long);
   }
 

@@ -1,6 +1,5 @@
-/// What the board does with requests without a handler of their own. It executes another request
-/// that means the same, or sends a response derived from the model alone: new commands of the
-/// specification need no code here.
+/// The default handler of requests. It executes an equivalent request, or sends a response derived
+/// from the model alone: new commands of the specification need no code here.
 #pragma once
 
 #include <algorithm>
@@ -30,9 +29,9 @@ struct FirstOf<TypeList<First, Others...>> {
 
 using Body = std::array<std::uint8_t, max_body_size>;
 
-/// Sends an answer, of which `body` has `size` bytes, with the correlation fields of the request.
+/// Sends an answer, whose `body` has `size` bytes, with the correlation fields of the request.
 void answer_in(RequestContext& context, const ResponseForm& form, Body& body, std::size_t size);
-/// Sends the confirmations that the policy allows. They have the bytes of `body`, too.
+/// Sends the confirmations that the policy allows. They also contain the bytes of `body`.
 void confirm_by(RequestContext& context, const ResponsePolicy& policy, Body& body);
 
 }  // namespace detail
@@ -64,7 +63,7 @@ Reaction default_response(RequestContext& context, const Request& request) {
   }
 }
 
-// The requests that mean the same as another one, which the board executes instead
+// Equivalent requests, which the board executes instead.
 
 inline msg::AdjVarsInfoRequest equivalent(const msg::AdjVarsInfoRequestAll&) { return {}; }
 inline msg::BoardInfoRequest equivalent(const msg::BoardInfoRequestOneByte&) { return {}; }
@@ -90,7 +89,7 @@ inline msg::ExecuteMenuExt equivalent(const msg::ExecuteMenu& request) {
 inline msg::HelperDataExt equivalent(const msg::HelperData& request) {
   return {request.frame_acc, request.frame_angle_roll, request.frame_angle_pitch};
 }
-/// Assumption: the first register, as the emulated chips have no pointer of their own.
+/// Assumption: the first register, as the emulated chips have no register pointer.
 inline msg::I2cReadRegBufRequest equivalent(const msg::I2cReadRegBufRequestNoRegister& request) {
   return {.device_addr = request.device_addr, .data_len = request.data_len};
 }

@@ -38,7 +38,7 @@
 
 namespace sbgc::emulator {
 
-/// The interface of a part of the board that acts on its own, as far as it needs it:
+/// The interface of a part of the board that acts on its own, as far as the part needs it:
 ///     Instant next() const;                        // Instant::never if nothing is due
 ///     void advance(Instant now, Part& part, ...);  // called when it is due, with what it uses
 ///     void restart(Instant now, Part& part, ...);  // without it, a restart loses the whole state

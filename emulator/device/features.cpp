@@ -24,7 +24,7 @@ msg::BoardFeatures features_of(const BoardOptions& options) {
   return features;
 }
 
-/// A feature shows only if the firmware has its commands.
+/// A feature is only reported if the firmware has its commands.
 msg::BoardFeaturesExt features_ext_of(const BoardOptions& options) {
   using enum msg::BoardFeaturesExtBit;
   const Availability versions = versions_of(options);
@@ -110,8 +110,8 @@ class FirmwareLimiter {
     if (known != raw) sbgc::detail::store_number(type.raw, at, known);
   }
 
-  /// Returns the value without the flags that do not exist yet. The names are those of the value
-  /// after the shift.
+  /// Returns the value without the flags that do not exist yet. The names refer to the value after
+  /// the shift.
   std::int64_t known_value(const EnumInfo& names, std::int64_t value, unsigned shift) {
     std::int64_t known = value;
     for (const ValueInfo& one : names.values) {

@@ -1,4 +1,4 @@
-/// What a board and its firmware know: features, and fields and values of messages.
+/// The capabilities of a board and its firmware: features, and fields and values of messages.
 #pragma once
 
 #include <cstdint>
@@ -35,8 +35,8 @@ constexpr bool knows(const Availability& versions, E value) {
 }
 
 /// Limits the message with this table: removes optional fields that do not exist yet, and clears
-/// fields that are still reserved and flags without a meaning. Keeps enum values, but returns true
-/// if one does not exist yet.
+/// fields that are still reserved and meaningless flags. Keeps enum values, but returns true if one
+/// does not exist yet.
 bool limit_to(const Availability& versions, const sbgc::detail::StructTable& table, void* message);
 
 template <Message M>

@@ -1,6 +1,6 @@
-/// Handlers of the requests that need code of their own, grouped by the family in spec/:
+/// Handlers of the requests that need specific code, grouped by the family in spec/:
 /// device/<family>/handlers.cpp implements them. A handler takes the parts of the device that it
-/// uses. equivalents.hpp has the requests that mean the same as another one. All others are
+/// uses. equivalents.hpp has the requests that are equivalent to another one. All others are
 /// answered from the model alone: parameters/access.hpp reads and writes parameters,
 /// default_response.hpp handles the rest.
 #pragma once
@@ -36,10 +36,10 @@ struct MeasuredParts;
 struct MenuParts;
 struct Modes;
 
-/// True if the handler itself decides about values that the firmware does not know.
+/// True if the handler itself handles values that the firmware does not know.
 template <class M>
 inline constexpr bool checks_values = false;
-/// Pins and states that do not exist are met with silence.
+/// Requests for nonexistent pins and states are not answered.
 template <>
 inline constexpr bool checks_values<msg::TriggerPin> = true;
 

@@ -23,7 +23,7 @@ struct QueuedRequest {
   Framing framing{};
 };
 
-/// Buffers of frames; they do not interpret them.
+/// Buffers of frames, which they do not interpret.
 class Ports {
  public:
   /// An invalid port number; sending to it does nothing.
@@ -36,8 +36,8 @@ class Ports {
   void end_step(std::optional<std::uint32_t> changed);
   /// Releases frames that report changes up to this revision.
   void release(std::uint32_t revision);
-  /// Changes up to this revision could not be saved: replaces each frame that reports one by
-  /// `refusal(frame)`.
+  /// Reports that changes up to this revision could not be saved: replaces each frame that reports
+  /// one by `refusal(frame)`.
   using Refusal = std::function<std::vector<std::uint8_t>(std::span<const std::uint8_t>)>;
   void fail(std::uint32_t revision, const Refusal& refusal);
 
@@ -45,7 +45,7 @@ class Ports {
   void close(std::size_t port);
   bool is_open(std::size_t port) const;
   bool is_usb(std::size_t port) const;
-  /// The host sends no more requests: from now on there is no room for stream samples.
+  /// Reports that the host sends no more requests: from now on there is no room for stream samples.
   void end_input(std::size_t port);
   /// The number of line errors since the board started.
   std::uint64_t errors(std::size_t port) const;
@@ -86,7 +86,7 @@ class Ports {
   /// True if a frame has started but is not complete.
   bool is_in_frame(std::size_t port) const;
 
-  /// A port that wants a password is locked until unlock(), and again once it is closed or the
+  /// A port that requires a password is locked until unlock(), and again once it is closed or the
   /// board restarts. Nothing is sent to it.
   bool is_locked(std::size_t port) const { return has_password_ && !ports_[port].is_unlocked; }
   void unlock(std::size_t port) { ports_[port].is_unlocked = true; }
@@ -105,7 +105,7 @@ class Ports {
   bool has_output(std::size_t port) const;
   void sent(std::size_t port, std::size_t size);
 
-  /// A silent board sends nothing.
+  /// If silent, the board sends nothing.
   void set_silent(bool is_silent) { is_silent_ = is_silent; }
 
   Instant now{};  ///< for `on_traffic`

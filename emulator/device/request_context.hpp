@@ -26,9 +26,9 @@ inline constexpr bool holds_parameters = requires {
   ParametersOf<sbgc::detail::CodedAs<M>>::copies;
 };
 
-/// Returns the frame to send in place of one that reports a change of the memory if saving failed:
-/// CMD_ERROR replaces a confirmation, other frames stay unchanged. Returns nothing if this board
-/// and firmware do not support that error.
+/// Returns the frame that replaces one reporting a change of the memory if saving failed: CMD_ERROR
+/// replaces a confirmation, other frames stay unchanged. Returns nothing if this board and firmware
+/// do not support that error.
 std::vector<std::uint8_t> refusal_instead(Availability versions,
                                           std::span<const std::uint8_t> frame);
 
@@ -77,7 +77,7 @@ class RequestContext {
   Availability versions() const { return versions_; }
 
  private:
-  /// Leaves out what the firmware does not know, but parameters are sent as they are stored.
+  /// Removes fields that the firmware does not know, but parameters are sent as they are stored.
   template <Message M>
   void send(const M& message) {
     M known = message;

@@ -16,7 +16,7 @@ using RotationOrder = std::array<std::uint8_t, 3>;
 /// Returns the order if it contains each axis once, else the most common one: pitch, roll, yaw.
 RotationOrder valid_order(const RotationOrder& order);
 
-/// The direction of a Vector about which an angle turns, and whether along it or against it.
+/// The direction of a Vector about which an angle turns, and the sign of the turn.
 struct TurningAxis {
   std::size_t direction{};
   double sign{};
@@ -25,7 +25,7 @@ struct TurningAxis {
 /// The axes of roll, pitch and yaw: forward, left, down. All signs of angles follow from them.
 inline constexpr std::array<TurningAxis, 3> turning_axes{{{1, 1}, {0, -1}, {2, -1}}};
 
-/// Returns how fast a rotation turns about the axes of roll, pitch and yaw.
+/// Returns the rates of a rotation about the axes of roll, pitch and yaw.
 Axes<double> turning(const Vector& rates);
 
 /// A rotation from body to world coordinates. The rows are the axes of the world (right, north, up)
@@ -78,7 +78,7 @@ double dot(const Vector& a, const Vector& b);
 Vector cross(const Vector& a, const Vector& b);
 
 /// A rotation from body to world coordinates: W, X, Y, Z, of length 1, about the axes of Vector.
-/// Assumption: no source says about which axes, and which way.
+/// Assumption: no source states the axes and the direction.
 using Quaternion = std::array<double, 4>;
 
 /// Returns the quaternion of a rotation with W >= 0; the other sign is the same rotation.
@@ -91,7 +91,7 @@ Quaternion relative(const Quaternion& from, const Quaternion& to);
 /// Returns the angle between two attitudes, in degrees.
 double angle_between(const Quaternion& a, const Quaternion& b);
 
-/// Returns a vector of the body in world coordinates, and the reverse.
+/// Convert a vector from body to world coordinates, and vice versa.
 Vector to_world(const Rotation& rotation, const Vector& body);
 Vector to_body(const Rotation& rotation, const Vector& world);
 

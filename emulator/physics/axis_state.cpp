@@ -11,7 +11,7 @@ namespace sbgc::emulator {
 
 namespace {
 
-/// Assumption: how long the speed of a command dominates in `speed_angle`.
+/// Assumption: the time for which the speed of a command dominates in `speed_angle`.
 constexpr double lead_time = 0.5;
 
 bool is_remote(AxisMode mode) { return mode == AxisMode::remote || mode == AxisMode::signal; }

@@ -36,8 +36,8 @@ Duration parse_seconds(const std::string& text);
 /// For example "0.5", in seconds; at least a millisecond.
 Duration parse_interval(const std::string& text);
 
-/// Returns why a board with this firmware is not emulated; "" if it is. Later firmware has commands
-/// that the emulated board does not support.
+/// Returns the reason why a board with this firmware is not emulated; "" if it is. Later firmware
+/// has commands that the emulated board does not support.
 std::string problem_of(msg::FirmwareVersion version);
 /// The oldest board that has all commands of a firmware; at least the one emulated by default.
 msg::BoardVersion usual_board(msg::FirmwareVersion firmware);

@@ -35,8 +35,8 @@ std::vector<std::string> split_at(std::string_view text, char separator) {
   }
 }
 
-/// The value of a fault, whose parts may be omitted from the end. Without exceptions, for
-/// WebAssembly: after a mistake, parts have their usual values.
+/// The value of a fault, whose trailing parts may be omitted. Without exceptions, for WebAssembly:
+/// after a mistake, parts have their default values.
 class Value {
  public:
   Value(std::string_view fault, const std::optional<std::string>& text, const char* wanted)
@@ -74,7 +74,7 @@ class Value {
     refuse_part("roll, pitch or yaw");
     return usual;
   }
-  /// Nothing may follow. Returns the first mistake, or "".
+  /// Checks that nothing follows. Returns the first mistake, or "".
   std::string end() {
     if (used_ < parts_.size()) refuse();
     return std::move(problem_);
@@ -91,7 +91,7 @@ class Value {
     if (used_ == parts_.size()) return {};
     return parts_[used_++];
   }
-  /// Says what the part that was read last may be, under its name in `wanted_`.
+  /// Describes the valid range of the part that was read last, under its name in `wanted_`.
   void refuse_part(const std::string& range) {
     constexpr const char* letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZ";
     const std::string_view form = wanted_;

@@ -18,8 +18,8 @@
 
 namespace sbgc::serving {
 
-/// Drives the emulator by the clock of the executor. All calls must come
-/// from the thread of the executor.
+/// Drives the emulator with the clock of the executor. All calls must come from the thread of the
+/// executor.
 class LiveBoard : public hosts::HostPorts {
  public:
   /// The board's own time is 0 when it has finished starting; times in `options` count from there.
@@ -58,7 +58,7 @@ class LiveBoard : public hosts::HostPorts {
  private:
   /// Called after every event: notifies the hosts and sets the timer.
   void settle();
-  /// Does the same from the timer, for callers that must not be called back.
+  /// Does the same from the timer, for callers that do not allow callbacks.
   void settle_soon();
   void set_timer();
 

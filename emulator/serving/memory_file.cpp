@@ -138,7 +138,7 @@ Json document_of(const SavedMemory& saved) {
                 {"imus", ToJson::value(memory.imus)},
                 {"sensors", ToJson::value(memory.sensors)},
                 {"eeprom", ToJson::value(memory.eeprom)}};
-  // Only if there is something to save, so that files stay the same for boards without these.
+  // Only if there is something to save, so that files of boards without these stay the same.
   Json of_new_board;
   for_each_later_member(Memory{}, [&](const char* name, const auto& member) {
     of_new_board[name] = ToJson::value(member);
@@ -271,7 +271,7 @@ class Reader {
     }
     for (std::size_t i = 0; i < n; ++i) value(json[i], at(path, i), out[i]);
   }
-  /// Bytes in lines; all lines but the last one are full.
+  /// Bytes split into lines; all lines but the last one are full.
   void value(const Json& json, const std::string& path, Blob& out) {
     const std::size_t whole = path == "eeprom" ? Memory::eeprom_size : largest_blob;
     const std::size_t lines = (whole + line_size - 1) / line_size;

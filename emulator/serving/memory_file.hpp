@@ -30,9 +30,9 @@ struct SavedMemory {
 
 /// Returns the content of a file, with a checksum of all values.
 std::string to_json_text(const SavedMemory& saved);
-/// Parses the content of a file. Fails with ErrorCode::bad_file, and names the place, if anything
-/// is missing, unknown, duplicated, out of range or damaged; with ErrorCode::incompatible if the
-/// format is newer.
+/// Parses the content of a file. Fails with ErrorCode::bad_file, and names the position, if
+/// anything is missing, unknown, duplicated, out of range or damaged; with ErrorCode::incompatible
+/// if the format is newer.
 Result<SavedMemory> parse_memory(std::string_view text);
 
 /// Replaces a file atomically and flushes it to disk. Fails with ErrorCode::invalid if

@@ -1,4 +1,4 @@
-/// What a new board is made from: shares and motions as users write them, and its memory.
+/// The inputs of a new board: shares and motions in text form, and its memory.
 #pragma once
 
 #include <optional>
@@ -10,13 +10,13 @@
 
 namespace sbgc::serving {
 
-/// Reads "0.01" or "1%". Returns nothing for other text or a share outside the range.
+/// Parses "0.01" or "1%". Returns nothing for other text or a share outside the range.
 std::optional<double> read_share(std::string_view text, double least, double most);
 
 /// Returns the motion with this name, such as "handheld".
 std::optional<emulator::Disturbance::Kind> motion_named(std::string_view name);
 
-/// A gimbal is delivered with a calibrated accelerometer, unless the fault is that it is not.
+/// Returns a new memory; the accelerometer is calibrated unless a fault says otherwise.
 emulator::Memory new_memory(const emulator::BoardOptions& board);
 
 }  // namespace sbgc::serving

@@ -18,7 +18,7 @@ namespace sbgc::serving {
 
 namespace {
 
-/// Collects one line per frame, a request before its responses. The board reports the verdict of a
+/// Collects one line per frame, a request before its responses. The board reports its reaction to a
 /// request only after it has sent the responses.
 class FrameLog {
  public:

@@ -1,4 +1,4 @@
-// How much of the stack a program has used.
+// Measures how much of the stack a program has used.
 #pragma once
 
 #include <cstddef>

@@ -34,7 +34,7 @@ int main();
   semihosting::exit(1);
 }
 
-// Where the processor starts, and what it calls for each exception. A firmware with interrupts
+// The entry point of the processor, and the handlers of exceptions. A firmware with interrupts
 // continues this table with their handlers.
 using Handler = void (*)();
 struct Vectors {

@@ -60,7 +60,7 @@ constexpr std::uint8_t magnetometer = 0x1E;
 constexpr std::uint8_t first_register = 10;
 constexpr std::array<std::uint8_t, 3> register_values{'H', '4', '3'};
 
-/// The end of several calls.
+/// The results of several calls.
 struct Readings {
   bool all_answered = true;
   bool all_right = true;
@@ -503,7 +503,7 @@ class Player {
     }
   }
 
-  /// Requests that the client does not send.
+  /// Sends requests that the client must refuse.
   void refused() {
     msg::BeepSound sound;
     sound.decay_factor = 200;
@@ -514,7 +514,7 @@ class Player {
     require(is_recent || !run(answer_of(msg::CalibInfoRequest{})));
   }
 
-  /// Writes blocks of any kind, of which the board may not have all, and values of any kind.
+  /// Writes blocks of any kind, some of which the board may lack, and values of any kind.
   void write_others() {
     may_hold_anything_ = true;
     const std::array names{"ReadParams3", "ReadParamsExt", "ReadParamsExt2", "ReadParamsExt3",
@@ -579,7 +579,7 @@ class Player {
     if (!is_foul_ && !may_hold_anything_) learn(wanted, report);
   }
 
-  /// The board, rarely another one.
+  /// Returns the identity of the board, rarely that of another one.
   sbgc::BoardIdentity board_of_backup() {
     sbgc::BoardIdentity board = client_.identity();
     const std::uint8_t choice = input_.byte();

@@ -1,4 +1,4 @@
-/// A line that does to each frame what the input of a fuzzer says.
+/// A line that treats each frame as the fuzzer's input says.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ namespace sbgc::fuzz {
 /// changes, repeats and forges them, which 8-bit checksums do not always reveal.
 class HostileLine final : public test::VirtualLine {
  public:
-  /// From now on, `script` decides; without one, the line is good.
+  /// Lets `script` control the line from now on; without a script, the line is good.
   void follow(Input* script, bool is_foul) {
     script_ = script;
     is_foul_ = is_foul;

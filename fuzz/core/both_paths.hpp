@@ -7,6 +7,6 @@
 #include <span>
 #include <vector>
 
-/// Each returns all that the library makes of an input.
+/// Each returns all results of the library for an input.
 std::vector<std::uint8_t> results_at_run_time(std::span<const std::uint8_t> input);
 std::vector<std::uint8_t> results_as_constant(std::span<const std::uint8_t> input);

@@ -40,7 +40,7 @@ void add(Results& results, std::string_view text) {
 
 #ifdef SBGC_AS_CONSTANT
 
-/// Does what AnyMessage does.
+/// Does the same as AnyMessage.
 template <class M>
 struct Typed {
   M message{};
@@ -126,7 +126,7 @@ void learn(sbgc::Contexts& contexts, Body request) {
 
 #endif
 
-/// One type for all messages: each would be compiled for each of them.
+/// A single type for all messages: otherwise, each would be compiled for each of them.
 struct LeafText {
   Results& results;
 

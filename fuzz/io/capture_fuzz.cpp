@@ -4,9 +4,8 @@
 // its operands, because no mutation finds a valid checksum:
 //   0..199:   append as many bytes as the opcode specifies
 //   200..209: append a valid session header of the version in the next byte
-//   210..249: append a valid record with the kind and time in the next two bytes; the opcode minus
-//   210
-//             is the size of its data
+//   210..249: append a valid record with the kind and time in the next two bytes; its data
+//             has as many bytes as the opcode minus 210
 //   250..254: remove the last bytes; the opcode minus 249 is their number
 //   255:      append the remaining bytes
 //
@@ -180,8 +179,8 @@ std::string frames_of(ByteSpan file, std::size_t piece) {
   return notes.text;
 }
 
-/// The frames of raw bytes. The gaps are explained by the bytes that have arrived, so the reasons
-/// depend on the pieces.
+/// Returns the frames of raw bytes. Gaps are explained from the bytes that have arrived, so the
+/// reasons depend on the pieces.
 std::string raw_frames_of(ByteSpan file, std::size_t piece) {
   std::string text;
   std::uint64_t fed = 0;
@@ -207,7 +206,7 @@ std::string raw_frames_of(ByteSpan file, std::size_t piece) {
   return text;
 }
 
-/// The bytes that a text stands for.
+/// Returns the bytes that a text encodes.
 std::optional<Bytes> bytes_of_text(ByteSpan file, const sbgc::tools::Reading& reading,
                                    std::size_t piece) {
   sbgc::tools::PastedText text(reading);
@@ -223,7 +222,7 @@ std::optional<Bytes> bytes_of_text(ByteSpan file, const sbgc::tools::Reading& re
   return std::nullopt;
 }
 
-/// The bytes that a replay delivers.
+/// Returns the bytes that a replay delivers.
 Bytes replayed(ByteSpan file) {
   static const int descriptor = ::memfd_create("capture", 0);
   require(descriptor >= 0 && ::ftruncate(descriptor, 0) == 0);

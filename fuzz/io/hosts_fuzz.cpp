@@ -2,9 +2,9 @@
 // arrive over TCP, and datagrams from any addresses, as over UDP. The input is a sequence of steps,
 // each an opcode byte and its operands; see Player::step() and Datagrams::step().
 //
-// Invariants: a port gets the bytes of its host, in order, and no others; a host gets the bytes of
-// its port; an HTTP request gets nowhere; no host sends more than there is room for; and a place is
-// never given to two hosts.
+// Invariants: a port gets only the bytes of its host, in order; a host gets the bytes of its port;
+// HTTP requests have no effect; no host sends more than there is room for; and no place is given to
+// two hosts.
 
 #include <algorithm>
 #include <array>

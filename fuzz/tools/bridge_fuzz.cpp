@@ -1,10 +1,9 @@
 // Fuzzes the core of the bridge with any bytes of several hosts, and any frames of the board. The
 // input is a sequence of steps, each an opcode byte and its operands; see Player::step().
 //
-// Invariants: the board gets the whole requests of each host in their order and nothing else; each
-// host gets whole frames, among them the responses to its own requests only; what waits is limited;
-// and when the others have left, a host is
-// served. Hosts that must leave are not busy.
+// Invariants: the board gets only the complete requests of each host, in order; each host gets
+// complete frames, and only the responses to its own requests; the queues are limited; and when the
+// other hosts have left, a host is served. Hosts that must leave are not busy.
 
 #include <algorithm>
 #include <array>
@@ -224,7 +223,7 @@ class Player {
     ports_.disconnect(port);
   }
 
-  /// As their endpoints do.
+  /// Closes hosts as their endpoints do.
   void close_leaving() {
     std::vector<std::size_t> leaving;
     for (const auto& [port, host] : hosts_) {
@@ -235,7 +234,7 @@ class Player {
 
   bool may_send(std::size_t port) const { return ports_.room(port) != 0; }
 
-  /// A host sends no more than there is room for, as its endpoint sees to.
+  /// A host sends no more than there is room for; its endpoint ensures that.
   void receive(std::size_t port, std::span<const std::uint8_t> bytes) {
     if (!hosts_.contains(port)) return;
     while (!bytes.empty() && may_send(port)) {
@@ -338,7 +337,7 @@ class Player {
   void serve_a_new_host() {
     while (!hosts_.empty()) disconnect(hosts_.begin()->first);
     while (!board_.open.empty()) end(false);
-    // The bridge goes on with a restart whose host has left.
+    // The bridge continues a restart whose host has left.
     pass(BridgePorts::restart_time * 3);
     require(!board_.is_taken && !ports_.exclusive_host());
     connect();

@@ -1,6 +1,6 @@
-// Fuzzes configuration files, with bombs (see hostile_text.hpp), as that of the command and as a
-// fleet of a gateway. A text is a list of gimbals with names and ports, or an error with its place,
-// in time in proportion to its size.
+// Fuzzes configuration files, with bombs (see hostile_text.hpp), both of the command and of a
+// gateway (fleets). A text is a list of gimbals with names and ports, or an error with its place,
+// in time proportional to its size.
 
 #include <algorithm>
 #include <chrono>

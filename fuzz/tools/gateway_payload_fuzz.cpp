@@ -1,7 +1,7 @@
 // Fuzzes what a broker delivers to a gateway: a topic, a line break, and a payload.
 //
-// Invariants: whatever is refused is refused with a sentence; a result goes nowhere but below the
-// topic of replies; an order that is accepted has no effects but those that are allowed.
+// Invariants: every refusal has a sentence as its reason; a result is only sent below the reply
+// topic; an accepted order has only permitted effects.
 
 #include <cstddef>
 #include <cstdint>

@@ -4,9 +4,9 @@
 //
 // The server also has files of pages.
 //
-// Invariants: who does not know the token does not get in; no message is longer than allowed; the
-// messages of a host with a good request arrive whole and in their order; every connection that has
-// ended its input is closed; and another host is served meanwhile.
+// Invariants: a client that does not know the token is refused; no message is longer than allowed;
+// the messages of a host with a good request arrive complete and in order; every connection that
+// has ended its input is closed; and another host is served meanwhile.
 
 #include <algorithm>
 #include <array>
@@ -47,7 +47,7 @@ using SessionId = WebSocketServer::SessionId;
 
 constexpr std::string_view token = "0123456789abcdef";
 constexpr std::size_t max_message = 16384;
-/// For what another thread does; a busy machine needs a small part of it.
+/// The timeout for another thread; a busy machine needs a small part of it.
 constexpr std::chrono::seconds patience{20};
 
 constexpr const char* pages = "/usr/share/doc";

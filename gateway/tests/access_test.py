@@ -1,5 +1,5 @@
-"""Access to the broker: passwords, certificates, the sample of an ACL, and MQTT 5; and what the gateway says
-about a broker without TLS."""
+"""Access to the broker: passwords, certificates, the sample ACL, and MQTT 5; and the gateway's warning about
+a broker without TLS."""
 
 from __future__ import annotations
 
@@ -58,13 +58,13 @@ def test_the_sample_of_an_acl(tmp_path: Path) -> None:
     ):
         by_operator = Commander(studio.broker.port, "studio", *operator)
         box = "sbgc/studio/reply/operator/1"
-        # The broker keeps these from the gateway: `raw`, and whatever the viewer says.
+        # The broker does not deliver these to the gateway: `raw`, and everything from the viewer.
         by_operator.command("front", "raw", {"message": "GetAnglesRequest"}, key="raw", reply=box)
         studio.say.command("front", "home", key="viewer", reply=box)
         by_operator.command("front", "home", key="home", reply=box)
         assert mine.result("home")["key"] == "home"
         assert {one["key"] for one in mine.results()} == {"home"}
-        # Nobody else sees the results, and nobody the commands.
+        # No other user sees the results, and none sees the commands.
         assert not studio.seen.results()
         heard = studio.seen.messages + mine.messages
         assert not [one for one in heard if "/cmd/" in one.topic]
@@ -98,7 +98,7 @@ def test_tls_with_certificates(tmp_path: Path) -> None:
     user = tuple(str(tmp_path / one) if "." in one else one for one in words)
     with running_studio(tmp_path, own, of_broker=tls(tmp_path), user=user) as studio:
         assert studio.result("home")["status"] in ("done", "failed")
-        # It connects again.
+        # It reconnects.
         studio.broker.kill()
         studio.broker.start()
         with closing(Subscriber(studio.broker.port, "sbgc/#", *user)) as seen:
@@ -131,7 +131,7 @@ def test_mqtt_5_has_its_properties(tmp_path: Path) -> None:
         said = "-D publish user-property key k5 -D publish message-expiry-interval 20".split()
         say.publish("sbgc/studio/front/cmd/home", json.dumps(bare), *said)
         assert seen.result("k5")["status"] in ("done", "failed")
-        # The session lasts over the end of the gateway.
+        # The session outlives the gateway.
         assert studio.gateway.end() == 0
         key = say.command("front", "raw", {"message": "GetAnglesRequest"})
         studio.gateway.restart()

@@ -1,4 +1,4 @@
-"""`sbgc gateway` on an MQTT broker: what it reports, and what it carries out or refuses."""
+"""`sbgc gateway` on an MQTT broker: its reports, and the commands it executes or refuses."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def refusal(studio: Studio, *arguments: Any, **members: Any) -> str:
 
 
 def speed_of(gimbal: EmulatedGimbal) -> float:
-    """The speed of the pitch axis, past the gateway."""
+    """The speed of the pitch axis, measured without the gateway."""
     state = run("send", "GetAnglesRequest", "-p", gimbal.address, "--format", "jsonl").objects[-1]
     return abs(float(state["fields"]["axes"]["pitch"]["rc_speed"]))
 
@@ -208,7 +208,7 @@ def test_without_the_broker_a_gimbal_stops_and_results_wait(studio: Studio) -> N
 
 
 def test_telemetry_is_thinned_for_a_slow_broker(studio: Studio) -> None:
-    """The sockets take some seconds of telemetry, so the broker sleeps until samples give way."""
+    """The sockets buffer seconds of telemetry, so the broker sleeps until samples are dropped."""
 
     def thinned() -> float:
         return studio.gateway.metrics()["sbgc_broker_thinned_samples_total"]
@@ -258,12 +258,12 @@ def test_results_wait_while_the_broker_is_away(tmp_path: Path) -> None:
     with running_studio(tmp_path) as studio:
         broker, front = studio.broker, studio.front
         studio.seen.close()
-        # The result comes when the broker is gone: the camera needs seconds.
+        # The result arrives when the broker is gone: the camera needs seconds.
         key = studio.say.command("front", "move", {"angles": {"pitch": -30}, "speed": 3})
         eventually(lambda: speed_of(front) > 0)
         broker.kill()
         eventually(lambda: speed_of(front) == 0)
-        # Also over the end of the gateway.
+        # This also holds across the end of the gateway.
         studio.gateway.end()
         broker.start()
         with closing(Subscriber(broker.port)) as seen:

@@ -20,7 +20,7 @@ from gateway import eventually
 
 
 def program(name: str) -> str:
-    """mosquitto and nats-server are in a folder that only root has in its path."""
+    """mosquitto and nats-server are in a folder that is only in root's path."""
     found = shutil.which(name, path=os.environ["PATH"] + ":/usr/sbin:/usr/local/sbin")
     assert found is not None, f"{name} is missing"
     return found
@@ -68,7 +68,7 @@ class Mosquitto(Server):
         folder.mkdir(exist_ok=True)
         port = free_port()
         file = folder / "mosquitto.conf"
-        # Without the line about the user, a broker that root starts gives up its rights to the folder.
+        # Without the user line, a broker that root starts gives up its rights to the folder.
         file.write_text(
             f"listener {port} 127.0.0.1\n{settings}user root\npersistence true\n"
             f"persistence_location {folder}/\nlog_type all\n"
@@ -109,7 +109,7 @@ class Message:
 
 
 class Subscriber:
-    """Collects what is published. It returns from the constructor when the broker has subscribed it."""
+    """Collects published messages. The constructor returns when the broker has subscribed it."""
 
     def __init__(self, port: int, filters: str | list[str] = "sbgc/#", *options: str) -> None:
         topics = [filters] if isinstance(filters, str) else filters
@@ -190,7 +190,7 @@ class Commander:
     def publish_many(
         self, topic: str, payloads: list[dict[str, Any]], padding: int = 0
     ) -> subprocess.Popen[str]:
-        """Publishes them over one connection, in the background, each with spaces at its end."""
+        """Publishes them over one connection, in the background, each with trailing spaces."""
         process = subprocess.Popen(
             [*self.base, "-t", topic, "-l"], stdin=subprocess.PIPE, text=True
         )
@@ -230,7 +230,7 @@ class Commander:
 
 @contextmanager
 def suspended(process: subprocess.Popen[Any]) -> Iterator[None]:
-    """It neither answers nor closes its connections."""
+    """Suspends it: it neither answers nor closes its connections."""
     process.send_signal(signal.SIGSTOP)
     try:
         yield
@@ -243,7 +243,7 @@ def openssl(folder: Path, *arguments: str) -> None:
 
 
 def signed(folder: Path, name: str, days: int = 2) -> None:
-    """A key and a certificate for 127.0.0.1, and for as many days."""
+    """A key and a certificate for 127.0.0.1, valid for this many days."""
     openssl(folder, "req", "-newkey", "ed25519", "-nodes", "-keyout", f"{name}.key",
             "-out", f"{name}.csr", "-subj", f"/CN={name}")  # fmt: skip
     (folder / "names").write_text("subjectAltName=IP:127.0.0.1\n")

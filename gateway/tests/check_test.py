@@ -1,4 +1,4 @@
-"""`sbgc gateway --check` accepts what a gateway can start with, and refuses the rest as the start does."""
+"""`sbgc gateway --check` accepts whatever a gateway can start with, and rejects the rest like the start."""
 
 from __future__ import annotations
 
@@ -151,7 +151,7 @@ def test_beside_a_running_gateway(folder: Path) -> None:
 
 
 def test_a_file_that_this_user_may_not_read() -> None:
-    """Root may read everything, so that another user looks."""
+    """Root may read everything, so another user checks the file."""
     user = "nobody" if os.geteuid() == 0 else None
     with tempfile.TemporaryDirectory() as folder, open(PROGRAM, "rb") as program:
         os.chmod(folder, 0o755)

@@ -1,4 +1,4 @@
-// Two gateways of one fleet, as each reads the states of both.
+// Two gateways of one fleet, each of which reads the states of both.
 
 #include "gateway/duplicate_gateway_detector.hpp"
 
@@ -29,7 +29,7 @@ DuplicateGatewayDetector later_one() {
 
 class TwoGateways : public testing::Test {
  protected:
-  /// After what a gateway reads when the other has taken its connection and it has taken it back.
+  /// Simulates that the other gateway took the connection, and this one took it back.
   bool gives_way(DuplicateGatewayDetector& reader, const DuplicateGatewayDetector& other,
                  std::chrono::seconds time) {
     reader.read(state_of(reader), start_ + time);

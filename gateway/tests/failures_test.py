@@ -1,4 +1,4 @@
-"""Tests of `sbgc gateway` when a disk is full, when a broker refuses messages, and beside another gateway."""
+"""Tests of `sbgc gateway` with a full disk, a broker that refuses messages, and another gateway."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def studio_with_acl(
     of_broker: str = "",
     more: str = "",
 ) -> AbstractContextManager[Studio]:
-    # Mosquitto takes the name of a user without a password.
+    # Mosquitto accepts a user name without a password.
     (folder / "acl").write_text("user tester\ntopic readwrite sbgc/#\nuser gateway\n" + acl)
     (folder / "acl").chmod(0o600)
     settings_of_broker = f"allow_anonymous true\nacl_file {folder}/acl\n{of_broker}"
@@ -50,7 +50,7 @@ def fill_disk(gateway: Gateway, folder: Path) -> None:
 def test_metrics_go_on_when_the_disk_is_full(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    # The limit of a file would otherwise end the process.
+    # The file size limit would otherwise end the process.
     monkeypatch.setattr("gateway.Gateway.keeps_signals", True)
     with studio_with_acl(tmp_path, more=LISTENS) as studio:
         gateway, front, seen = studio.gateway, studio.front, studio.seen
@@ -143,7 +143,7 @@ def test_a_journal_that_is_gone_or_damaged(tmp_path: Path) -> None:
 
 
 def most_memory(gateway: Gateway) -> int:
-    """In MiB."""
+    """The peak memory in MiB."""
     status = Path(f"/proc/{gateway.process.pid}/status").read_text()
     line = next(line for line in status.splitlines() if line.startswith("VmHWM"))
     return int(line.split()[1]) // 1024
@@ -151,7 +151,7 @@ def most_memory(gateway: Gateway) -> int:
 
 @pytest.mark.long  # the peak depends on what the machine does meanwhile
 def test_payloads_without_an_end(tmp_path: Path) -> None:
-    """The gateway holds one message that is too long in memory, never several."""
+    """The gateway holds at most one oversized message in memory."""
     with studio_with_acl(tmp_path) as studio:
         before = most_memory(studio.gateway)
         megabytes = 20
@@ -160,7 +160,7 @@ def test_payloads_without_an_end(tmp_path: Path) -> None:
             for _ in range(count):
                 studio.say.publish("sbgc/studio/front/cmd/get", "x" * (megabytes << 20))
         eventually(lambda: len(studio.seen.events("front", "result")) == count, 60)
-        # What arrives, and the copy that the library makes.
+        # The received message, and the copy of the library.
         assert most_memory(studio.gateway) - before < 4 * megabytes
 
 
@@ -170,7 +170,7 @@ def text_of(broker: Mosquitto, front: EmulatedGimbal, mqtt: str) -> str:
 
 
 def wait_for_answer(seen: Subscriber, say: Commander) -> None:
-    """Also that a gimbal is not online yet is one."""
+    """It is also a refusal that a gimbal is not online yet."""
     seen.result(say.command("front", "raw", {"message": "GetAnglesRequest"}))
 
 

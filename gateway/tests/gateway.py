@@ -18,7 +18,7 @@ T = TypeVar("T")
 
 
 def eventually(look: Callable[[], T], seconds: float = 30) -> T:
-    """Returns what `look` returns as soon as that is true."""
+    """Returns the result of `look` as soon as it is true."""
     end = time.monotonic() + seconds
     while True:
         found = look()
@@ -29,8 +29,8 @@ def eventually(look: Callable[[], T], seconds: float = 30) -> T:
 
 
 class Gateway:
-    """A gateway of the fleet in a text, in a folder of its own. Its metrics are at a free port if the text
-    has LISTEN in their place."""
+    """A gateway of the fleet in a text, in its own folder. If the text contains LISTEN, its metrics are at
+    a free port."""
 
     keeps_signals = False  # that Python ignores, such as SIGXFSZ
     hangs_at_disk = False  # while the file `hang` is in its folder
@@ -77,7 +77,7 @@ class Gateway:
         return self.metric(f'sbgc_gimbal_up{{gimbal="{gimbal}"}}') == 1
 
     def end(self) -> int:
-        """Ends it as a service manager does, and returns its status."""
+        """Ends it like a service manager, and returns its status."""
         self.process.terminate()
         return self.process.wait(timeout=60)
 
@@ -89,7 +89,7 @@ class Gateway:
 
 @contextmanager
 def hanging_disk(folder: Path) -> Iterator[None]:
-    """For gateways of this folder with `hangs_at_disk`, within a `with`."""
+    """For gateways of this folder with `hangs_at_disk`, inside a `with`."""
     (folder / "hang").touch()
     try:
         yield

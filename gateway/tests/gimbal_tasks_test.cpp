@@ -1,4 +1,4 @@
-// How the commands of one gimbal are carried out, with an emulated gimbal in real time.
+// Execution of the commands of one gimbal, with an emulated gimbal in real time.
 
 #include "gateway/gimbal_tasks.hpp"
 
@@ -45,7 +45,7 @@ Order near_move(msg::Angle14 pitch = 3_deg) {
   return {.what = order, .must_not_wait = true};
 }
 
-/// With a dead man's switch.
+/// A speed with a dead man's switch.
 Order turning() {
   const SpeedOrder order{.speed = {.pitch = 20_deg_per_s}};
   return {.what = order, .must_not_wait = true};
@@ -95,7 +95,7 @@ class GimbalTasksTest : public ::testing::Test {
     EXPECT_TRUE(left.expired()) << "it holds itself";
   }
 
-  /// Replaces those of an earlier gateway.
+  /// Replaces the tasks of an earlier gateway.
   void begin(std::optional<std::int64_t> moved_by) {
     tasks = std::make_shared<GimbalTasks>(
         *gimbal,
@@ -131,7 +131,7 @@ class GimbalTasksTest : public ::testing::Test {
                 }});
     return command;
   }
-  /// Returns what became of a command.
+  /// Returns the result of a command.
   std::string end_of(std::int64_t command) {
     std::string found;
     EXPECT_TRUE(ends.wait_until([&](const auto& all) {
@@ -146,7 +146,7 @@ class GimbalTasksTest : public ::testing::Test {
     EXPECT_EQ(result(turning_for(Order::forever)), "done");
     ASSERT_TRUE(eventually_turns());
   }
-  /// A move that lasts, and two commands that wait for it.
+  /// Starts a long move, and two commands that wait for it.
   void run_three() {
     run(far_move());
     run(near_move());
@@ -159,7 +159,7 @@ class GimbalTasksTest : public ::testing::Test {
     done.get_future().wait();
     has_ended = true;
   }
-  /// The board's own word.
+  /// Returns the speed that the board reports.
   double speed() {
     return board.gimbal([](emulator::Gimbal& one, Instant now) {
       return std::abs(one.sample(now).target_speeds.pitch);
@@ -402,7 +402,7 @@ TEST_F(ConnectedTasks, SilenceWhileTheCameraMovesIsALoss) {
 TEST_F(ConnectedTasks, ALineThatIsLostInTheMiddle) {
   run_three();
   board.unplug();
-  // The stop after the loss can come before the move has noticed it.
+  // The stop after the loss may precede the move's error.
   EXPECT_THAT(end_of(1), AnyOf("not_connected", "cancelled"));
   EXPECT_EQ(end_of(2), "link_lost");
   EXPECT_THAT(events.wait_for(1),

@@ -1,4 +1,4 @@
-// The journal of a gateway: what it keeps, whatever happens to the process.
+// The journal of a gateway: its contents survive the death of the process.
 
 #include "gateway/journal.hpp"
 
@@ -25,7 +25,7 @@ using testing::IsEmpty;
 using testing::SizeIs;
 using testing::ThrowsMessage;
 
-/// A folder that ends with the test.
+/// Uses a folder that is removed after the test.
 class JournalTest : public testing::Test {
  protected:
   JournalTest() {
@@ -187,7 +187,7 @@ TEST_F(JournalTest, the_history_is_bounded_but_keeps_what_may_come_again) {
   const auto is_known = [&](int number) {
     return journal.recognize(a_command(std::to_string(number))).recognition != Recognition::unknown;
   };
-  // At the same time, so that none is old enough: twice the history, and no more.
+  // All at the same time, so that none is old enough: twice the history, and no more.
   for (int i = 0; i < 6; ++i) EXPECT_TRUE(do_one(i, noon)) << i;
   EXPECT_FALSE(do_one(6, noon));
   EXPECT_TRUE(is_known(0));
@@ -236,7 +236,7 @@ TEST_F(JournalTest, gimbals_in_motion_are_known_after_a_restart) {
     journal.set_moving("front", 1);
     journal.set_moving("front", 2);
     journal.set_moving("rear", 3);
-    journal.set_at_rest("front", 1);  // it moves because of 2
+    journal.set_at_rest("front", 1);  // command 2 still moves it
     journal.set_at_rest("rear", 4);
     journal.commit();
   }

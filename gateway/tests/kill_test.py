@@ -1,7 +1,7 @@
-"""`kill -9` of a gateway on mosquitto while it carries out commands: no command plays its tones twice, and none is
+"""`kill -9` of a gateway on mosquitto while it executes commands: no command plays its tones twice, and none is
 without a result. `kill_test.py ROUNDS` kills more often.
 
-Each command plays a melody of another length, which the log of the emulated gimbal shows.
+Each command plays a melody of a different length, which the log of the emulated gimbal shows.
 """
 
 from __future__ import annotations
@@ -64,7 +64,7 @@ class Rounds:
         return Counter((int(size) - BODY_WITHOUT_NOTES) // 2 for size in PLAYED.findall(text))
 
     def run(self, number: int) -> None:
-        """One kill: every command has a result, none is carried out twice, and results are true."""
+        """One kill: every command has a result, none is executed twice, and results are true."""
         begin = self.log.stat().st_size
         keys = {f"{number}-{notes}": notes for notes in NOTES}
         payloads = []
@@ -92,7 +92,7 @@ class Rounds:
 
         eventually(has_all, 120)
         done = {notes for key, notes in keys.items() if results[key][0]["status"] == "done"}
-        # The gimbal answers before its log is written.
+        # The gimbal answers before it writes its log.
         eventually(lambda: done <= set(self.played(begin)))
         played = self.played(begin)
         for key, notes in keys.items():

@@ -30,7 +30,7 @@ def section(name: str, gimbal: EmulatedGimbal, more: str = "") -> str:
 
 
 def test_metrics_of_gimbals(tmp_path: Path) -> None:
-    """Values, counters and their names, also while one of two gimbals is lost and comes back."""
+    """Values, counters and their names, also while one of two gimbals is lost and returns."""
     telemetry = 'telemetry = ["RealtimeData4 20", "GetAngles 10"]'
     with emulated_gimbal() as front, emulated_gimbal() as back:
         port = back.address.rsplit(":", 1)[1]
@@ -48,7 +48,7 @@ def test_metrics_of_gimbals(tmp_path: Path) -> None:
             checked = subprocess.run(
                 check, input=gateway.metrics_text(), text=True, capture_output=True
             )
-            # Its own names are the business of the library.
+            # The library's own names are not our concern.
             complaints = [
                 line for line in checked.stderr.splitlines() if not line.startswith("exposer_")
             ]
@@ -64,7 +64,7 @@ def test_metrics_of_gimbals(tmp_path: Path) -> None:
             with emulated_gimbal("--tcp", port):
                 eventually(lambda: gateway.is_up("back"), 60)
                 assert gateway.metric('sbgc_connections_total{gimbal="back"}') == 2
-                # Counters go on where they were.
+                # Counters continue from their last values.
                 frames = 'sbgc_received_frames_total{gimbal="back"}'
                 assert (gateway.metric(frames) or 0) >= values[frames]
             assert gateway.end() == 0
@@ -125,7 +125,7 @@ def test_alerts_fire() -> None:
 
 
 class Prometheus:
-    """It scrapes a target twice a second."""
+    """It scrapes a target twice per second."""
 
     def __init__(self, folder: Path, target: str) -> None:
         configuration = {
@@ -197,7 +197,7 @@ def test_every_query_has_an_answer(tmp_path: Path) -> None:
                     eventually(lambda: prometheus.query(query), 60)
                 active = prometheus.get("/api/v1/rules")["groups"][0]["rules"]
                 assert all(rule["health"] != "err" for rule in active)
-                # What the alerts ask for exists, even if it is not the case now.
+                # The metrics in the alerts exist, even if they are not firing now.
                 names = re.findall(r"sbgc_\w+", (SAMPLES / "alerts.yml").read_text())
                 assert names
                 for name in set(names):

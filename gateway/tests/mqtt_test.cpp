@@ -1,4 +1,4 @@
-// The ids of messages, with a broker that acknowledges when the test wants it.
+// Packet ids, with a broker that acknowledges when the test wants it.
 
 #include "gateway/mqtt.hpp"
 
@@ -69,8 +69,8 @@ class SilentBroker {
   std::thread thread_{};
 };
 
-/// Publishes one message that the broker does not acknowledge, and after it as much telemetry as it
-/// may.
+/// Publishes one message that the broker does not acknowledge, followed by as much telemetry as
+/// possible.
 class Publisher {
  public:
   static constexpr int last_id = 65'535;

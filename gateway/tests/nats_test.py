@@ -1,4 +1,4 @@
-"""`sbgc gateway` on a cluster of NATS servers that speak MQTT 3.1.1, of which one is killed."""
+"""`sbgc gateway` on a cluster of NATS servers that speak MQTT 3.1.1; one of them is killed."""
 
 from __future__ import annotations
 
@@ -17,18 +17,18 @@ from studio import fleet_of, gimbal_of
 BEFORE = 20
 AFTER = 20
 DEADLINE_MS = 60_000
-# Without commands: NATS 2.9 loses some if somebody besides the gateway reads them with quality 1.
+# Without commands: NATS 2.9 loses some if another client also reads them with quality 1.
 RESULTS = [f"sbgc/studio/{topic}" for topic in ("+/state", "+/event", "+/telemetry/+", "reply/#")]
 
 
 def wait_for_sessions(server: Nats) -> None:
-    """Until the servers have found each other, they accept none."""
+    """The servers accept no clients until they have found each other."""
     probe = Commander(server.port)
     eventually(lambda: probe.publish("probe", "x", check=False) == 0, 120)
 
 
 def keeps_for_an_hour(server: Nats) -> bool:
-    """Makes the stream of messages, which otherwise deletes what a reader has acknowledged."""
+    """Creates the stream of messages, which would otherwise delete acknowledged ones."""
     stream = {
         "name": "$MQTT_msgs",
         "subjects": ["$MQTT.msgs.>"],
@@ -65,7 +65,7 @@ def is_home(seen: Subscriber, say: Commander) -> bool:
 
 
 def ask(say: Commander, key: str) -> None:
-    """Commands until a server has acknowledged it, as whoever commands must do, and not again."""
+    """Repeats a command until a server has acknowledged it, as all senders must, and not again."""
 
     def is_published() -> bool:
         payload = say.payload(
@@ -103,10 +103,10 @@ def test_one_of_three_servers_is_killed(
                 ask(say, key)
             for key in keys:
                 result = seen.result(key, 120)
-                # More may have waited together than a gimbal holds.
+                # More commands may have waited together than a gimbal can queue.
                 assert result["status"] == "done" or result["error"]["code"] == "overload", result
             eventually(lambda: "connected to the broker" in gateway.log.read_text())
-            # Motion works again, so nothing waits in front of it.
+            # Motion works again, so nothing is queued before it.
             eventually(lambda: is_home(seen, say), 120)
             assert gateway.end() == 0
         eventually(lambda: '"offline"' in seen.on("sbgc/studio/gateway/state")[-1].text, 60)

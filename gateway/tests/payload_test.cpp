@@ -1,4 +1,4 @@
-// Topics and payloads of commands, and what waits for a slow broker.
+// Topics and payloads of commands, and the queue for a slow broker.
 
 #include "gateway/payload.hpp"
 
@@ -48,7 +48,7 @@ TEST(Topics, replies) {
   for (const char* const topic :
        {"", "sbgc/studio/reply/", "sbgc/studio/front/cmd/move", "sbgc/studio/reply/#",
         "sbgc/studio/reply/+", "sbgc/studio/reply/a\n", "sbgc/other/reply/app",
-        // Brokers refuse some of Unicode, and close the connection of who publishes there.
+        // Brokers reject some Unicode characters, and disconnect clients that publish them.
         "sbgc/studio/reply/\xEF\xBF\xBF"}) {
     EXPECT_FALSE(topics.is_reply(topic)) << topic;
   }

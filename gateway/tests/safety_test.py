@@ -1,4 +1,4 @@
-"""`sbgc gateway`: what commands have set in motion is stopped, whatever fails, and what is old moves nothing."""
+"""`sbgc gateway`: motion caused by commands is stopped, whatever fails, and old commands move nothing."""
 
 from __future__ import annotations
 
@@ -79,7 +79,7 @@ class Line:
 
 
 class Stage(Conversation):
-    """A broker, a gateway with one gimbal, and somebody who talks to it."""
+    """A broker, a gateway with one gimbal, and a client."""
 
     def __init__(self, folder: Path, broker: Mosquitto, front: EmulatedGimbal) -> None:
         self.folder = folder
@@ -97,7 +97,7 @@ class Stage(Conversation):
         return fleet_of(address, gimbal, settings=f"stop-after = 1\n{settings}")
 
     def online(self) -> int:
-        """How often the gimbal was reported to be online."""
+        """The number of reports that the gimbal is online."""
         states = self.seen.on("sbgc/studio/front/state")
         return len([one for one in states if one.json["state"] == "online"])
 
@@ -110,7 +110,7 @@ class Stage(Conversation):
         return bool(self.result("motors", {"on": True})["status"] == "done")
 
     def speed(self) -> float:
-        """The speed of the fastest axis, past the gateway."""
+        """The speed of the fastest axis, measured without the gateway."""
         state = run("send", "GetAnglesRequest", "-p", self.front.address, "--format", "jsonl")
         axes = state.objects[-1]["fields"]["axes"].values()
         return max(abs(float(axis["rc_speed"])) for axis in axes)
@@ -157,7 +157,7 @@ def test_a_stop_is_no_repetition(stage: Stage) -> None:
     with running_gateway(stage.folder, stage.fleet()):
         for _ in range(2):
             start_turning(stage)
-            # Neither a key that is known nor a deadline matters.
+            # Neither a known key nor a deadline matters.
             stage.say.command("front", "stop", key="the same", deadline=9223372036854)
             eventually(stage.stands)
 
@@ -180,7 +180,7 @@ def ignored(stage: Stage) -> int:
 def test_any_payload_stops(stage: Stage, payload: str, complains: bool) -> None:
     with running_gateway(stage.folder, stage.fleet()):
         start_turning(stage)
-        # Nothing is guessed from another topic.
+        # Nothing is inferred from other topics.
         for topic in ("cmd/move", "cmd/stop/", "cmd/STOP", "raw"):
             stage.say.publish(f"sbgc/studio/front/{topic}", "stop")
         eventually(lambda: len(stage.seen.events("front", "result")) == 3)  # "cmd/stop/" is none
@@ -215,7 +215,7 @@ def test_garbage_does_not_delay_a_stop(stage: Stage) -> None:
         assert stage.result("stop")["status"] == "done"
         assert stage.stands()
         garbage.wait(60)
-        # Not all of it is answered, which would keep the disk busy.
+        # Only some are answered, because answers would keep the disk busy.
         eventually(stage.accepts_motion)
         assert len(stage.seen.events("front", "result")) < 3000
 
@@ -319,7 +319,7 @@ def test_a_speed_does_not_stop_what_comes_after_it(stage: Stage) -> None:
 
 
 def test_a_command_that_is_to_be_retained_is_refused(stage: Stage) -> None:
-    """MQTT 5 shows it. Without it, a broker would move the camera again after each connection."""
+    """MQTT 5 shows retained messages. Otherwise, a broker would move the camera after each connection."""
     with running_gateway(stage.folder, stage.fleet('mqtt = "5"\n')):
         stage.motors_on()
         key = stage.say.command("front", "move", FAR, options=("-V", "5", "-r"))
@@ -391,7 +391,7 @@ def test_no_speed_comes_late(stage: Stage, part: str, version: str) -> None:
             assert sender.stdin is not None
             end = time.monotonic() + seconds
             while time.monotonic() < end:
-                # The clocks of senders differ, also within what one says.
+                # The clocks of senders differ, also between messages of one sender.
                 payload = stage.say.payload({"speeds": {"pitch": 1}})
                 payload["sent"] += chance.choice([-900, 0, 900])
                 published[payload["key"]] = now()

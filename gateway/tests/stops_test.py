@@ -1,5 +1,5 @@
-"""`sbgc gateway`: a stop stays owed until it is done, over silence, a restart and a line that loses bytes; and a
-terminal that closes."""
+"""`sbgc gateway`: a stop stays pending until it is done, despite silence, a restart and a line that loses bytes;
+and a terminal that closes."""
 
 from __future__ import annotations
 
@@ -81,7 +81,7 @@ def test_a_stop_of_a_gateway_that_is_killed(stage: Stage, turned_by: str) -> Non
     with running_gateway(stage.folder, stage.fleet()) as gateway:
         start_turning(stage)
         if turned_by != "gateway":
-            # The stop ends what the gateway owes before.
+            # The stop ends what the gateway owed before.
             assert stage.result("stop")["status"] == "done"
             with emulated_speed(stage.front):
                 eventually(stage.turns)
@@ -128,7 +128,7 @@ def await_no_stop(stage: Stage) -> None:
 
 
 def pass_an_hour(stage: Stage) -> None:
-    """For the journal."""
+    """Opens the journal."""
     with closing(sqlite3.connect(stage.folder / "fleet.db")) as journal, journal:
         journal.execute("UPDATE commands SET received = received - 3600000")
 

@@ -1,5 +1,4 @@
-"""The fleet `studio` for the tests of `sbgc gateway`: a broker, a gateway with a gimbal, and somebody who talks to
-them."""
+"""The fleet `studio` for the tests of `sbgc gateway`: a broker, a gateway with a gimbal, and a client."""
 
 from __future__ import annotations
 
@@ -15,13 +14,13 @@ from gateway import Gateway, eventually, running_gateway
 
 
 def fleet_of(addresses: str, *gimbals: str, settings: str = "") -> str:
-    """The text of a fleet; `settings` are of the broker."""
+    """The text of a fleet; `settings` apply to the broker."""
     head = f'[fleet]\nname = "studio"\n[broker]\naddress = {addresses}\njournal = "fleet.db"\n'
     return "\n".join([head, settings, *gimbals])
 
 
 def gimbal_of(address: str, allow: str = "", *more: str, name: str = "front") -> str:
-    """The text of a gimbal, which does the tasks in `allow`."""
+    """The text of a gimbal, which performs the tasks in `allow`."""
     tasks = ", ".join(f'"{task}"' for task in allow.split())
     return "\n".join(
         [f'[gimbal.{name}]\nport = "{address}"', f"allow = [{tasks}]" if allow else "", *more, ""]
@@ -78,7 +77,7 @@ def running_studio(
     more: str = "",
     waits: bool = True,
 ) -> Iterator[Studio]:
-    """`more` goes to the gimbal. It waits until that is online, and motion is no longer refused as queued."""
+    """`more` goes to the gimbal. Waits until that is online, and motion is no longer refused as queued."""
     with ExitStack() as stack:
         broker = stack.enter_context(running_broker(folder, of_broker))
         front = stack.enter_context(emulated_gimbal())

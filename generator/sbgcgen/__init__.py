@@ -9,7 +9,7 @@ Packages, each of which imports only those above it:
 - `targets/`: one folder for each kind of output;
 - `compat/`: the changes between two versions of the protocol.
 
-`build.py` loads and checks a spec, `output.py` writes the output of the targets, `record.py`
-recognizes a run with nothing to do, `library.py` knows the version and the headers of the C++ library,
+`build.py` loads and checks a spec, `output.py` writes the output of the targets, `record.py` detects a
+run with nothing to do, `library.py` finds the version and the headers of the C++ library,
 `blocking.py` makes the blocking client of the Python package, `cli.py` is the command line.
 """

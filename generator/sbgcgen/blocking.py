@@ -1,11 +1,11 @@
-"""The blocking client of the Python package, which is made of the asynchronous one."""
+"""Makes the blocking client of the Python package from the asynchronous one."""
 
 from __future__ import annotations
 
 import re
 from pathlib import Path
 
-# In the project, and in generated/.
+# The path in the project and in generated/.
 SOURCE = "python/sbgc/aio/client.py"
 MADE = "python/sbgc/client.py"
 
@@ -21,12 +21,12 @@ _REPLACED = (
 
 
 def source_of(project: Path) -> list[Path]:
-    """The source; nothing in a project without the package."""
+    """The source; empty in a project without the package."""
     return [path for path in [project / SOURCE] if path.is_file()]
 
 
 def blocking(text: str) -> str:
-    """The same module, whose calls wait."""
+    """The same module with blocking calls."""
     for asynchronous, replacement in _REPLACED:
         text = re.sub(asynchronous, replacement, text)
     return _HEADER + text

@@ -23,14 +23,14 @@ from sbgcgen.targets import targets
 
 @dataclass(frozen=True)
 class Protocol:
-    """A spec without findings, and the Layout that it resolves to."""
+    """A spec without findings, and its resolved Layout."""
 
     spec: Spec
     layout: Layout
 
 
 def load_protocol(spec_dir: Path, allow_slips: bool = False) -> Protocol:
-    """Load, check and resolve a spec folder; with `allow_slips`, also one with unlikely values.
+    """Load, check and resolve a spec folder; `allow_slips` also accepts unlikely values.
 
     Raises SpecError with every finding. Unused entries are reported only if there is no other
     finding, because another mistake may be the reason that an entry is unused.
@@ -71,7 +71,7 @@ def check(spec: Spec, layout: Layout, found: Diagnostics) -> None:
 
 
 def _report_hidden_mistakes(spec: Spec, found: Diagnostics) -> None:
-    """Report mistakes that those found so far hide, so that one run reports both of a line."""
+    """Report mistakes that others have hidden so far, so that one run reports both on a line."""
     if found.any_of(("SBGC001",)):
         return  # a file or value could not be read
     recovery = recover_shape(spec, found)

@@ -15,8 +15,8 @@ if TYPE_CHECKING:
     from sbgcgen.build import Protocol
     from sbgcgen.targets import Target
 
-# The modules that do the work are imported when a command needs them: a run of `generate` with
-# nothing to do needs none, and most commands do not need all.
+# Modules are imported when a command needs them: a run of `generate` with nothing to do needs none,
+# and most commands do not need all.
 
 _ROOT = Path(__file__).resolve().parents[2]
 
@@ -76,7 +76,7 @@ def _apart() -> list[Target]:
 
 
 def _place(target: Target) -> str:
-    """Where the output of a target that is not part of generated/ goes by default."""
+    """The default output path of a target that is not part of generated/."""
     return f"build/{target.file or target.command}"
 
 
@@ -91,7 +91,7 @@ def _escape(path: Path) -> str:
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Run one command; returns 0, or 1 for findings. Wrong usage exits with status 2."""
+    """Run one command; returns 0, or 1 for findings. Usage errors exit with status 2."""
     arguments = sys.argv[1:] if arguments is None else arguments
     parser = _parser(() if arguments[:1] == ["generate"] else _apart())
     options = parser.parse_args(arguments)

@@ -1,6 +1,6 @@
 """The C++ library of the project: its version, its license, and its headers as files.
 
-Targets that pass the library on in another form use it.
+For targets that redistribute the library in another form.
 """
 
 from __future__ import annotations
@@ -13,8 +13,8 @@ from pathlib import Path
 # The header that defines the version.
 VERSION_HEADER = Path("runtime/core/include/sbgc/version.hpp")
 
-# The headers that a program without an operating system starts from. The headers that they include,
-# directly or not, are core, codec and session.
+# The headers that a freestanding program starts from. The headers that they include, directly or
+# indirectly, are core, codec and session.
 ENTRIES = (
     "sbgc/message.hpp",
     "sbgc/parser.hpp",
@@ -25,10 +25,10 @@ ENTRIES = (
     "sbgc/responses/all.hpp",
     "sbgc/version.hpp",
 )
-# Tables of names, units and limits, which need as little but are large.
+# Tables of names, units and limits, which are also freestanding, but large.
 TABLES = ("sbgc/validate.hpp", "sbgc/meta/all.hpp")
 
-# The project with the runtime: that of this generator for protocols in other folders.
+# The project with the runtime: this generator's own, for protocols in other folders.
 _HERE = Path(__file__).resolve().parents[2]
 _FOLDERS = ("generated/include", "runtime/core/include", "runtime/session/include")
 _GENERATED = "// Generated from "
@@ -37,7 +37,7 @@ _DIRECTIVE = re.compile(r"^\s*#\s*(\w+)\s*(.*?)\s*$")
 
 @dataclass
 class Part:
-    """A header without its `#include` lines, or a part of it: an `#include` after code divides it."""
+    """A header without its `#include` lines, or a part of it: an `#include` after code splits it."""
 
     header: str  # as in #include <header>
     body: str = ""
@@ -60,7 +60,7 @@ def license_text(project: Path) -> str:
 
 
 def in_namespace(text: str, name: str) -> str:
-    """Code of the library with another namespace, and another prefix of macros."""
+    """Code of the library with another namespace, and another prefix for macros."""
     text = re.sub(r"\bsbgc\b", name, text)
     return re.sub(r"\bSBGC_", f"{name.upper()}_", text)
 
@@ -86,8 +86,8 @@ def headers(project: Path, entries: Iterable[str]) -> list[str]:
 def parts(project: Path, entries: Iterable[str]) -> list[Part]:
     """The entries and all headers that they include, in the order in which a compiler reads them.
 
-    Each header is read once. What a header includes on a condition is read before it: headers of the
-    library in any case, those of the compiler where they stand.
+    Each header is read once. Conditionally included headers precede the header: those of the library
+    in any case, those of the compiler where they are.
     """
     found: list[Part] = []
     seen: set[str] = set()

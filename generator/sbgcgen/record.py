@@ -1,7 +1,7 @@
-"""A record of what the last run of `generate` read and wrote.
+"""A record of the files that the last run of `generate` read and wrote.
 
-A run whose files are all as recorded has nothing to do. This module imports nothing that is slow to
-import, so that such a run is quick.
+If all files match the record, a run has nothing to do. This module imports nothing slow, so that such
+a run is quick.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ class Record:
     def unchanged(self) -> tuple[int, list[Path]] | None:
         """The number of files in the output, and the spec files read for them.
 
-        None if any file of the spec, the generator or the output is not as recorded.
+        None if any file of the spec, the generator or the output differs from the record.
         """
         with suppress(OSError, ValueError):
             read, written, *spec_files = self._path.read_text(encoding="utf-8").split("\n")[:-1]
@@ -55,7 +55,7 @@ class Record:
     def write(self, files: Mapping[str, bytes], spec_files: Iterable[Path]) -> None:
         """Record a run that has written these files."""
         lines = [self._inputs, _digest(files), *map(str, spec_files)]
-        # Other programs see all of it or nothing. On a read-only file system there is no record.
+        # Other programs see all of it or nothing. On a read-only file system, no record is written.
         unfinished = self._path.with_name(f"{self._path.name}.{os.getpid()}")
         with suppress(OSError):
             self._path.parent.mkdir(parents=True, exist_ok=True)

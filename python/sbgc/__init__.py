@@ -58,7 +58,7 @@ if TYPE_CHECKING:
 else:
 
     def __getattr__(name: str) -> object:
-        """Imports slow parts when they are used: asyncio, and the description of the package."""
+        """Import slow parts on first use: asyncio, and the description of the package."""
         if name == "aio":
             return import_module("sbgc.aio")
         if name == "__version__":

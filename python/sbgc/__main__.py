@@ -1,4 +1,4 @@
-"""`python -m sbgc`: what the installation is, for a report of a problem."""
+"""`python -m sbgc`: describes the installation, for bug reports."""
 
 from __future__ import annotations
 

@@ -160,7 +160,7 @@ class HeldSpeed:
 
 Blocks = list[tuple[str, int, AnyMessage]]
 CalibrationEnd = Literal["finished", "accepted"]
-# Angles, what remains of them, whether they are close, and the time.
+# The angles, the remaining angles, whether they are close, and the time.
 MoveState = tuple[tuple[float, float, float], tuple[float, float, float], bool, float]
 
 class Link:

@@ -11,16 +11,16 @@ from sbgc.message import wrap
 from sbgc.msg import BodeTestStartStopRequest
 
 HIGHEST = 500.0
-"""Hz; a response ends here."""
+"""Hz; the upper end of a response."""
 
 
 @dataclass(frozen=True)
 class ResponsePoint:
     """The response at one frequency.
 
-    `gain` is in dB, `phase` in degrees without jumps. `coherence` says which share of the output follows the
-    input, and `deviation` how uncertain the response is, as a share of it: 95 % are off by less than twice
-    that. Both are None for recordings of fewer than four segments.
+    `gain` is in dB, `phase` in degrees without jumps. `coherence` is the share of the output that follows
+    the input, and `deviation` the uncertainty of the response, as a share of it: 95 % deviate by less than
+    twice that. Both are None for recordings of fewer than four segments.
     """
 
     frequency: float
@@ -35,7 +35,7 @@ class ResponsePoint:
 class BodeRecording:
     """The input and the output of an axis, every 0.8 ms. A lost sample is NaN in both.
 
-    `end_lost` is true if the message of the end was lost: the board may have reported an error there.
+    `end_lost` is true if the final message was lost: the board may have reported an error in it.
     """
 
     request: BodeTestStartStopRequest
@@ -47,14 +47,14 @@ class BodeRecording:
     def response(
         self, start: Optional[float] = None, end: Optional[float] = None
     ) -> list[ResponsePoint]:
-        """Gain and phase between two frequencies; by default those of the request."""
+        """Return gain and phase between two frequencies; by default those of the request."""
         low = float(self.request.start_freq) if start is None else start
         high = min(float(self.request.end_freq), HIGHEST) if end is None else end
         _, points = _core.frequency_response(self.input, self.output, low, high)
         return [ResponsePoint(*point) for point in points]
 
     def csv(self) -> str:
-        """The recording in the format of the vendor's program."""
+        """Return the recording in the format of the vendor's program."""
         return _core.bode_csv(self.request._message, self.input, self.output)
 
 
@@ -66,7 +66,7 @@ def recording_of(found: Any) -> BodeRecording:
 
 
 def read_bode(file: Union[str, Path]) -> BodeRecording:
-    """Read a recording of the vendor's program, of `sbgc bode -o` or of BodeRecording.csv()."""
+    """Read a recording of the vendor's program, `sbgc bode -o` or BodeRecording.csv()."""
     with Path(file).open("rb") as opened:
         text = opened.read(_core.MAX_BODE_CSV + 1)  # parsing refuses what is longer
     try:

@@ -1,4 +1,4 @@
-"""Reads captures into arrays of numpy, which nothing else needs."""
+"""Reading captures into numpy arrays; only this module needs numpy."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def read_capture(path: Union[str, os.PathLike[str]]) -> Capture:
     """Read a file that `sbgc record` or `connect(capture=...)` has written.
 
     Damaged frames are skipped and counted, as by `sbgc decode`. Raises DecodeError if the file is
-    no capture, ImportError without numpy.
+    not a capture, and ImportError without numpy.
     """
     try:
         from sbgc.tables import Capture

@@ -1,4 +1,4 @@
-"""Bytes to messages, and back."""
+"""Conversion between messages and bytes."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ Bytes = Union[bytes, bytearray, memoryview]
 
 
 class Direction(IntEnum):
-    """The sender of a message: one command id often has another message in each direction."""
+    """The direction of a message: one command id often has different messages in each direction."""
 
     TO_BOARD = 0
     FROM_BOARD = 1
@@ -59,7 +59,7 @@ def decode_body(
 
 @dataclass(frozen=True)
 class Frame:
-    """A frame that a Parser has found. `offset` is that of its first byte in the stream."""
+    """A frame found by a Parser. `offset` is the position of its first byte in the stream."""
 
     id: int
     body: bytes
@@ -89,20 +89,20 @@ class ParserCounters:
 class Parser:
     """Finds the frames in a stream of bytes, in one framing or in all of them.
 
-    It finds the same frames however the stream is cut into chunks.
+    The result does not depend on how the stream is split into chunks.
     """
 
     def __init__(self, framing: Optional[Framing] = None) -> None:
         self._parser = _core.StreamParser(None if framing is None else int(framing))
 
     def feed(self, chunk: Bytes) -> list[Frame]:
-        """Take the next bytes; return the frames that they complete."""
+        """Process the next bytes; return the frames that they complete."""
         return _frames(self._parser.feed(memoryview(chunk)))
 
     def flush(self) -> list[Frame]:
-        """Give up on a frame that is still incomplete; return the frames among its bytes.
+        """Discard a frame that is still incomplete; return the frames among its bytes.
 
-        Call it when the stream has ended, or when the line has been idle.
+        Call this when the stream has ended, or when the line has been idle.
         """
         return _frames(self._parser.flush())
 
@@ -139,9 +139,9 @@ class Violation:
 
 
 def validate(message: Message, firmware: int = 0, board: int = 0) -> list[Violation]:
-    """Return what a board with these versions does not allow; 0 stands for the newest one.
+    """Return the values that a board with these versions does not allow; 0 means the newest one.
 
-    Versions are those of the wire: msg.FirmwareVersion, msg.BoardVersion.
+    Versions are raw values: msg.FirmwareVersion, msg.BoardVersion.
     """
     return [Violation(*one) for one in of_library(message).violations(firmware, board)]
 

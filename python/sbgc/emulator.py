@@ -12,7 +12,7 @@ _SLICE = 1.0
 
 
 class Angles(NamedTuple):
-    """A number for each axis: degrees, or degrees per second."""
+    """A number for each axis, in degrees or degrees per second."""
 
     roll: float
     pitch: float
@@ -46,7 +46,7 @@ class Board:
 
     @property
     def time(self) -> float:
-        """Seconds since the board has started."""
+        """Seconds since the start of the board."""
         return self._board.now()
 
     @property
@@ -55,7 +55,7 @@ class Board:
         return self._board.has_virtual_time
 
     def sleep(self, seconds: float) -> None:
-        """Wait, in the time of the board."""
+        """Wait in the time of the board."""
         if not self.has_virtual_time:
             time.sleep(seconds)
             return
@@ -64,7 +64,7 @@ class Board:
             self._board.pass_time(min(left, _SLICE))  # Ctrl-C counts between two of them
 
     def restart(self) -> None:
-        """Restart the board, as by a power cycle."""
+        """Restart the board, like a power cycle."""
         self._board.restart()
 
     def unplug(self) -> None:
@@ -92,19 +92,19 @@ def emulator(
     strict: bool = False,
     restart_at: Optional[float] = None,
 ) -> Board:
-    """Make an emulated board, with the firmware "2.59" if none is named.
+    """Make an emulated board, by default with the firmware "2.59".
 
-    `motion` is that of the frame: "rest", "handheld", "drone", "vehicle", or the name of a file.
+    `motion` is the motion of the frame: "rest", "handheld", "drone", "vehicle", or a file name.
 
     In `virtual_time`, time passes only while a call of the blocking client waits, and in sleep():
-    at once, and always in the same way.
+    calls return at once, and deterministically.
 
-    The other arguments are those of `sbgc emulate`; times are in seconds since the board has
-    started. With a `baud_rate`, bytes take time. Faults are shares of `bit_errors`, and of `lost`,
-    `duplicated` and `delayed` bytes, 0 to 1; `delay`, how late those are; `text_every`, the interval
-    of text between frames; `silences`, when the line carries nothing and for how long. Requests that
-    do not fit into an `input_buffer` of so many bytes are lost; a `strict` board refuses requests
-    with more bytes than it knows; `restart_at` is when it restarts.
+    The other arguments are those of `sbgc emulate`; times are in seconds since the start of the
+    board. With a `baud_rate`, bytes take time. Faults are shares of `bit_errors`, and of `lost`,
+    `duplicated` and `delayed` bytes, 0 to 1; `delay` is the delay of the latter; `text_every` the
+    interval of text between frames; `silences` are start times and durations of silence. Requests
+    that exceed an `input_buffer` of this many bytes are lost; a `strict` board rejects requests with
+    more bytes than it knows; `restart_at` is the time of a restart.
     """
     faults = _core.Faults(bit_errors, lost, duplicated, delayed, delay, text_every, list(silences))
     made = _core.Emulation(

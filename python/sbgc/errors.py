@@ -1,4 +1,4 @@
-"""The exceptions of the package. Their texts are the sentences of the C++ library."""
+"""The exceptions of the package. Their texts are those of the C++ library."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ class Error(Exception):
 
 
 class FieldError(Error, ValueError):
-    """A value that a field cannot have, or that the specification does not allow.
+    """A value that is invalid for a field, or that the specification does not allow.
 
     `field` is the path of the field, such as "axes.pitch.angle".
     """
@@ -22,10 +22,10 @@ class FieldError(Error, ValueError):
 
 
 class CodecError(Error, ValueError):
-    """Bytes that are no message, or a message that has no bytes.
+    """Bytes that are not a message, or a message that cannot be encoded.
 
     `code` is the name of the reason as in JSON, such as "too_short"; `field` the path of the field
-    in error, or ""; `offset` its offset in the body.
+    in error, or ""; `offset` the position in the body.
     """
 
     def __init__(self, text: str, code: str, field: str, offset: int) -> None:
@@ -39,18 +39,18 @@ class CodecError(Error, ValueError):
 
 
 class DecodeError(CodecError):
-    """Bytes that are no frame, or a body that is no message."""
+    """Bytes that are not a frame, or a body that is not a message."""
 
 
 class EncodeError(CodecError):
-    """A message that contradicts itself, such as one without a field that its flags announce."""
+    """An inconsistent message, such as one that lacks a field announced by its flags."""
 
 
 class GimbalError(Error):
-    """The board, the line or the file did not do what was asked.
+    """An operation of the board, the line or a file has failed.
 
     `code` is the name of the reason, such as "board_error" or "mismatch"; see ErrorCode of the C++
-    library. `detail` is the number that some of them carry, else 0.
+    library. `detail` is the number that some codes carry, otherwise 0.
     """
 
     def __init__(self, text: str, code: str, detail: int) -> None:

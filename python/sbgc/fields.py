@@ -1,7 +1,7 @@
-"""Fields of messages as attributes. Their values live in a message of the C++ library.
+"""Fields of messages as attributes. Their values are stored in a message of the C++ library.
 
-A message, a structure in it, axes and lists all are a place: a message and a path in it. They change
-when the message does.
+Messages, structures, axes and lists are all places: a message and a path in it. They change when the
+message does.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ S = TypeVar("S", bound="Structure")
 
 
 class Kind(Protocol):
-    """Reads and writes the value at a path. It reads without a function of Python where it can."""
+    """Reads and writes the value at a path; reading avoids Python functions where possible."""
 
     @property
     def read(self) -> Callable[[_core.AnyMessage, str], Any]:
@@ -43,7 +43,7 @@ class _Real:
 
 
 class _Raw:
-    """A number as on the wire."""
+    """A raw number."""
 
     def read(self, message: _core.AnyMessage, path: str) -> Any:
         return message.get(path, True)
@@ -60,7 +60,7 @@ class _Bytes:
 
 
 class _Tail(_Bytes):
-    """Bytes that a message without them has as well."""
+    """Bytes that default to empty."""
 
     @staticmethod
     def read(message: _core.AnyMessage, path: str) -> Any:  # type: ignore[override]
@@ -124,11 +124,11 @@ class AxesOf:
 
 
 MOST_ELEMENTS = 255
-"""A body has no more bytes."""
+"""The maximum number of elements of a list: a body has at most 255 bytes."""
 
 
 def limited(values: Iterable[Any]) -> list[Any]:
-    """The values, as long as they can fit into a message, and one more: some iterables have no end."""
+    """Return at most one value more than a message can hold: some iterables are infinite."""
     return list(islice(values, MOST_ELEMENTS + 1))
 
 
@@ -155,7 +155,7 @@ class ListOf:
 
 
 class _Doc:
-    """The text below an attribute in the source of its class, for help()."""
+    """Returns the text below an attribute in the source of its class, for help()."""
 
     def __get__(self, field: Optional[Field[Any, Any]], owner: type) -> Optional[str]:
         if field is None:
@@ -218,7 +218,7 @@ class Field(Generic[Get, Set]):
         place._message.take(changed._message)
 
     def write_to(self, place: Structure, value: object) -> None:
-        """Store a value, perhaps only a part of one that is wrong."""
+        """Store a value; if it is invalid, perhaps only a part of it."""
         path = place._path_of(self._name)
         if self._optional and value is None:
             place._message.remove(path)
@@ -228,7 +228,7 @@ class Field(Generic[Get, Set]):
         except (FieldError, TypeError) as error:
             if not place._is_free or not place._path:
                 raise
-            # Its message is only a home: its name would mean nothing.
+            # Its message is only a container: its name would be meaningless.
             text = str(error).removeprefix(f"{place._path}.")
             if isinstance(error, FieldError):
                 raise FieldError(text, error.field.removeprefix(f"{place._path}.")) from None
@@ -238,7 +238,7 @@ class Field(Generic[Get, Set]):
 class Structure:
     """A group of fields: a place in a message.
 
-    A new structure has a message of its own, `_home`.
+    A new structure has its own message, `_home`.
     """
 
     __slots__ = ("_message", "_path", "_is_free")
@@ -272,9 +272,9 @@ class Structure:
         return f"{self._path}.{field}" if self._path else field
 
     def assign(self, path: str, text: str, validates: bool = True) -> None:
-        """Set a field to a value as people write it: `assign("angle", "-30deg")`.
+        """Set a field from human-readable text: `assign("angle", "-30deg")`.
 
-        Without `validates`, also to one that the specification does not allow.
+        Without `validates`, values that the specification does not allow are accepted.
         """
         self._message.assign(self._path_of(path), text, validates)
 
@@ -309,7 +309,7 @@ class Structure:
         return f"{type(self).__name__}({', '.join(said)})"
 
     def _arguments(self) -> Iterator[tuple[str, Any]]:
-        """The arguments that make it, without those that would change nothing."""
+        """Return the arguments that construct it, without those that have no effect."""
         for class_ in reversed(type(self).__mro__):
             for name, field in vars(class_).items():
                 if not isinstance(field, Field) or name.endswith("_raw"):
@@ -358,7 +358,7 @@ class _Element(Generic[T]):
 
 
 class _ByAxis(Generic[T]):
-    """Three values: of a message, or their own until they are stored in one."""
+    """Three values, stored in a message; before that, in an object of their own."""
 
     __slots__ = ("_message", "_path", "_kind", "_values")
     names: tuple[str, str, str]
@@ -402,7 +402,7 @@ class _ByAxis(Generic[T]):
 
 
 class Axes(_ByAxis[T]):
-    """A value for each axis of the gimbal. Axes without one keep theirs."""
+    """A value for each axis of the gimbal. Omitted axes keep their values."""
 
     __slots__ = ()
     names = __match_args__ = ("roll", "pitch", "yaw")
@@ -428,7 +428,7 @@ class Xyz(_ByAxis[T]):
 
 
 class Elements(MutableSequence[T]):
-    """A list in a message. One of fixed size takes only as many elements as it has."""
+    """A list in a message. A list of fixed size accepts only its number of elements."""
 
     __slots__ = ("_message", "_path", "_kind")
 
@@ -474,7 +474,7 @@ class Elements(MutableSequence[T]):
         self._edit(lambda own: own.extend(limited(values)))
 
     def _edit(self, edit: Any) -> None:
-        # Structures among the values stay places in this message.
+        # Structures among the values remain places in this message.
         values = list(self)
         edit(values)
         changed = self._message.copy()

@@ -24,12 +24,12 @@ M = TypeVar("M", bound=Message)
 T = TypeVar("T")
 Path = Union[str, "os.PathLike[str]"]
 Bytes = Union[bytes, bytearray, memoryview]
-# Called with what is done, the total, and the next step.
+# Called with the completed amount, the total, and the next step.
 Progress = Callable[[int, int, str], object]
-# The board has reported the end, has accepted it and does not report the end, or not even that.
+# "finished": the board has reported the end; "accepted": it does not report it; None: unknown.
 CalibrationEnd = Literal["finished", "accepted"]
 
-# How long a camera that has to stop may take.
+# The time limit for stopping a camera.
 STOP = 1.0
 
 LOGGER = logging.getLogger("sbgc")
@@ -38,7 +38,7 @@ LOGGER.addHandler(logging.NullHandler())
 
 @dataclass(frozen=True)
 class Move:
-    """The state of a move: measured angles, and degrees that remain."""
+    """The state of a move: measured and remaining angles, in degrees."""
 
     angles: Angles
     remaining: Angles
@@ -48,20 +48,20 @@ class Move:
 
 @dataclass(frozen=True)
 class Identity:
-    """The identity of a board, as it reports it."""
+    """The identity that a board reports."""
 
     board: str
     firmware: str
     serial_number: str
     info: roles.Introduction
     details: Optional[roles.Details]
-    """Only of boards that have serial numbers."""
+    """Only set for boards with serial numbers."""
     firmware_problem: str  # "" unless the firmware is no real version, such as 0.00
 
 
 @dataclass(frozen=True)
 class Calibration:
-    """The state of a calibration. `state` is what the board reports, if it can."""
+    """The state of a calibration. `state` is the board's report, if available."""
 
     has_started: bool
     elapsed: float
@@ -138,17 +138,17 @@ def target_of(place: Union[Path, Board]) -> Union[str, _core.Emulation]:
 
 
 class SpeedControl:
-    """Holds speeds as long as they are refreshed; stops the camera otherwise, and at the end."""
+    """Holds speeds as long as they are refreshed; otherwise, and at the end, stops the camera."""
 
     def __init__(self, held: _core.HeldSpeed) -> None:
         self._held = held
 
     def set(self, *, roll: float = 0.0, pitch: float = 0.0, yaw: float = 0.0) -> None:
-        """Turn with these speeds in degrees per second. Axes without one hold still.
+        """Turn with these speeds in degrees per second. Omitted axes hold still.
 
         If the camera has stopped because nothing was called for the time of `silence`, it turns
-        again, and a RuntimeWarning tells. If another command of this client has stopped or moved it,
-        this raises GimbalSuperseded, once.
+        again, and a RuntimeWarning is issued. If another command of this client has stopped or moved
+        it, this raises GimbalSuperseded, once.
         """
         self._held.warn_of_silence(2)
         self._held.set(roll, pitch, yaw)
@@ -188,7 +188,7 @@ class Link:
             raise AttributeError(text)
 
     def _hint(self, name: str) -> str:
-        """The attribute that somebody who writes this name is looking for."""
+        """Return the attribute that the user probably meant by this name."""
         public = [one for one in dir(type(self)) if not one.startswith("_")]
         verb, _, rest = name.partition("_")
         if verb in ("get", "read") and rest in public:
@@ -226,7 +226,7 @@ class Link:
 
     @property
     def description(self) -> str:
-        """The line: "serial port /dev/ttyUSB0, 115200 8N1"."""
+        """The line, such as "serial port /dev/ttyUSB0, 115200 8N1"."""
         return self._link.description()
 
     @property
@@ -236,7 +236,7 @@ class Link:
 
     @property
     def scripts(self) -> list[int]:
-        """The sizes of the scripts by slot, 0 for an empty slot; [] if the board does not tell."""
+        """The sizes of the scripts by slot, 0 for an empty slot; [] if they are unknown."""
         details = self.identity.details
         if details is None:
             return []
@@ -253,7 +253,7 @@ class Link:
         return self._link.confirm(request._message)
 
     def _rest_of_eeprom(self, address: int) -> Optional[int]:
-        """The number of bytes from the address to the end; None if the board does not tell it."""
+        """Return the number of bytes from the address to the end; None if it is unknown."""
         details = self.identity.details
         size = 0 if details is None else details.eeprom_size_raw
         if size == 0:
@@ -272,13 +272,13 @@ class Link:
             raise
 
     def _log(self) -> None:
-        """Log what has happened to the connection: no thread of the client runs Python."""
+        """Log the events of the connection: no thread of the client runs Python."""
         for kind, text in self._link.take_events():
             level = logging.INFO if kind in ("connected", "closed") else logging.WARNING
             LOGGER.log(level, "%s: %s", kind, text)
 
     def _wake(self) -> None:
-        """Let what waits ask again; a blocking client does so by itself."""
+        """Wake waiting calls; in a blocking client, they poll."""
 
 
 _open: weakref.WeakSet[Any] = weakref.WeakSet()

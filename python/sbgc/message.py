@@ -1,4 +1,4 @@
-"""Messages: what a frame carries."""
+"""Messages, the contents of frames."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _types: dict[str, type[Message]] = {}
 
 
 class Message(Structure):
-    """A message of the protocol. `tail` has bytes after the fields that the protocol describes."""
+    """A message of the protocol. `tail` has the bytes after the documented fields."""
 
     __slots__ = ()
     tail: Field[bytes, Union[bytes, bytearray, memoryview]] = Field(TAIL)
@@ -39,14 +39,14 @@ class Message(Structure):
 
     @classmethod
     def from_json(cls: type[M], text: str) -> M:
-        """Read what to_json() returns. Only optional fields may be missing. Raises FieldError."""
+        """Parse the result of to_json(). Only optional fields may be missing. Raises FieldError."""
         message = _core.AnyMessage(cls.__name__)
         message.read_json(text)
         return cls._at(message, "")
 
 
 class Request(Message, Generic[R]):
-    """A message to the board, for whose answer R a call waits."""
+    """A message to the board whose response has the type R."""
 
     __slots__ = ()
 
@@ -63,7 +63,7 @@ class Contexts:
 
 
 def of_library(message: Message) -> _core.AnyMessage:
-    """The message of the library. Raises TypeError for what is no message, or a part of one."""
+    """Return the C++ message. Raises TypeError for anything but a whole message."""
     if not isinstance(message, Message):
         raise TypeError(f"a message is needed, not {message!r}")
     return message._message
@@ -76,10 +76,10 @@ def known_by(contexts: Optional[Contexts]) -> Optional[_core.Contexts]:
 
 
 def wrap(message: _core.AnyMessage) -> Message:
-    """The Python object for a message of the library."""
+    """Return the Python object for a C++ message."""
     return type_named(message.name)._at(message, "")
 
 
 def type_named(name: str) -> type[Message]:
-    """The class of a message."""
+    """Return the class of a message."""
     return _types[name]

@@ -13,9 +13,9 @@ from sbgc.message import Message, wrap
 class Profile(Mapping[str, object]):
     """The parameters of a profile, and those of the whole board.
 
-    A name is the path of a field, or its end if only one field has it: "pitch.p". The name of a
-    message may precede it. A value is a number in the unit of the field, or a text as people write it:
-    "20deg", "FOLLOW_MODE_FC"; an enum or flags are read as such a text. It is set in a block of
+    A name is the path of a field, or its end if that is unique: "pitch.p". The name of a message may
+    precede it. A value is a number in the unit of the field, or human-readable text: "20deg",
+    "FOLLOW_MODE_FC"; enums and flags are returned as such text. Values can be set in a block of
     edit_profile().
     """
 
@@ -52,7 +52,7 @@ class Profile(Mapping[str, object]):
         message.put(path, value)
 
     def __iter__(self) -> Iterator[str]:
-        """The paths of all parameters; after the name of their message if several have the same."""
+        """Return the paths of all parameters, prefixed with the message name if they are ambiguous."""
         count = Counter(path for _, _, message in self._blocks for path in message.paths())
         for _, _, message in self._blocks:
             for path in message.paths():
@@ -66,19 +66,19 @@ class Profile(Mapping[str, object]):
 
     @property
     def messages(self) -> Iterator[Message]:
-        """The messages that hold the parameters; changes of them count as well."""
+        """Iterate over the messages with the parameters; changes to them count, too."""
         return (wrap(message) for _, _, message in self._blocks)
 
 
 def profile_index(profile: int) -> int:
-    """The number of a profile on the wire, which counts from 0."""
+    """Return the raw number of a profile, which counts from 0."""
     if not isinstance(profile, int) or not 1 <= profile <= 5:
         raise ValueError(f"profile: 1 to 5 are possible, not {profile!r}")
     return profile - 1
 
 
 def diff(before: str, after: str) -> str:
-    """The differences of two backups, as text; "" if there are none."""
+    """Return the differences of two backups as text; "" if there are none."""
     return _core.diff(before, after)
 
 
@@ -86,7 +86,7 @@ class Edit:
     """Changes of a profile, which are written at the end."""
 
     def __init__(self, read: _core.Blocks, index: int) -> None:
-        # Data that the board has once are read with every profile.
+        # Parameters that exist once per board are read with every profile.
         kept = {name for name, copy, _ in read if copy == index}
         blocks = [block for block in read if block[1] == index or block[0] not in kept]
         self._before = [message.copy() for _, _, message in blocks]
@@ -94,12 +94,12 @@ class Edit:
         self.profile = Profile(blocks)
 
     def begin(self) -> Profile:
-        """The parameters, which can be set until the end."""
+        """Return the parameters, which can be set until the end."""
         self.profile._will_be_written = True
         return self.profile
 
     def end(self) -> _core.Blocks:
-        """The blocks that differ from those that were read."""
+        """Return the blocks that differ from those that were read."""
         self.profile._will_be_written = False
         pairs = zip(self._blocks, self._before)
         return [block for block, before in pairs if not block[2] == before]

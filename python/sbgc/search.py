@@ -13,7 +13,7 @@ from sbgc.emulator import Board
 from sbgc.errors import GimbalError
 from sbgc.link import Identity, Path, seconds_of
 
-# Each is opened at the same time.
+# All of them are opened at the same time.
 _MOST_PORTS = 128
 
 
@@ -30,7 +30,7 @@ class Usb:
 
 @dataclass(frozen=True)
 class Port:
-    """A serial port; `usb` only of USB adapters."""
+    """A serial port; `usb` is only set for USB adapters."""
 
     name: str
     description: str
@@ -39,14 +39,14 @@ class Port:
 
 @dataclass(frozen=True)
 class Found:
-    """A gimbal, and where connect() reaches it."""
+    """A gimbal, and the address for connect()."""
 
     place: Union[Path, Board]
     identity: Identity
 
 
 def ports() -> list[Port]:
-    """The serial ports of this machine."""
+    """Return the serial ports of this machine."""
     return [
         Port(name, description, None if usb is None else Usb(*usb))
         for name, description, usb in _core.list_ports()
@@ -56,13 +56,13 @@ def ports() -> list[Port]:
 def find(
     places: Optional[Iterable[Union[Path, Board]]] = None, *, timeout: float = 5.0
 ) -> list[Found]:
-    """The gimbals that answer at these places, or at all serial ports of this machine.
+    """Return the gimbals that answer at these places, or at all serial ports of this machine.
 
-    If there are USB adapters, only these are asked, as by the command.
+    If there are USB adapters, only these are probed, as by the command.
     """
     if isinstance(places, (str, Board)) or not isinstance(places, (Iterable, type(None))):
         raise TypeError(f"places: a list of addresses or boards is needed, not {places!r}")
-    seconds_of(timeout)  # raises if it is none
+    seconds_of(timeout)  # raises an error if it is invalid
     asked = searched() if places is None else list(places)
     if not asked:
         return []
@@ -71,7 +71,7 @@ def find(
 
 
 def searched() -> list[Union[Path, Board]]:
-    """The names of the ports where a gimbal is likely."""
+    """Return the names of the ports where a gimbal is likely."""
     all_ports = ports()
     adapters = [port for port in all_ports if port.usb is not None]
     return [port.name for port in adapters or all_ports]

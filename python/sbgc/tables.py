@@ -1,4 +1,4 @@
-"""The messages of a capture as arrays of numpy."""
+"""The messages of a capture as numpy arrays."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ from sbgc.message import Message, type_named
 
 Array = numpy.ndarray[Any, Any]
 
-# The types of numpy for those of the protocol; bytes and texts have a size as well. It has no
-# integers of 24 bits.
+# The numpy types for those of the protocol; bytes and texts also have a size. numpy has no 24-bit
+# integers.
 _TYPES = {
     **{f"{kind}{8 * size}": f"<{kind}{size}" for kind in "iuf" for size in (1, 2, 4, 8)},
     **{"i24": "(3,)u1", "u24": "(3,)u1"},
@@ -39,7 +39,7 @@ class Table(Mapping[str, "Array"]):
 
     @property
     def array(self) -> Array:
-        """The numbers on the wire, as a structured array in the memory of the capture.
+        """The raw numbers, as a structured array in the memory of the capture.
 
         Its fields are "time", "body_size", a field for each value, and the "tail" if there
         is one. Raises TypeError if the messages of this kind have no fixed layout.
@@ -54,7 +54,7 @@ class Table(Mapping[str, "Array"]):
         return self._made[name]
 
     def columns(self) -> dict[str, Array]:
-        """All columns, which takes less time than to ask for one after the other."""
+        """Return all columns, which is faster than requesting them one by one."""
         return dict(self)
 
     def _unknown(self, name: str) -> str:
@@ -93,7 +93,7 @@ class Table(Mapping[str, "Array"]):
 
 
 class _FixedTable(Table):
-    """Messages with a fixed layout: columns are made from the array when they are asked for."""
+    """Messages with a fixed layout: columns are made from the array on request."""
 
     def __init__(self, message: type[Message], bodies: _core.Bodies) -> None:
         layout = _core.layout_of(message.__name__) or []
@@ -175,7 +175,7 @@ def _varying_table(message: type[Message], content: _core.Columns) -> Table:
 
 
 def _plain(column: Array) -> Array:
-    """The column in the byte order and alignment that pandas wants."""
+    """Return the column with the byte order and alignment that pandas needs."""
     return column if column.dtype == object else numpy.ascontiguousarray(column)
 
 
@@ -192,15 +192,15 @@ class Capture(Mapping[type[Message], Table]):
                 self._tables[message] = _varying_table(message, content)
         epoch = datetime(1970, 1, 1, tzinfo=timezone.utc)
         self.sessions = [epoch + timedelta(microseconds=start) for start in reader.sessions]
-        """When the recordings in the file began."""
+        """The start times of the recordings in the file."""
         self.notes = reader.notes
         """The notes of the recorder: seconds since the start of the first session, and a text."""
         self.damage = [text for _, text in reader.damage]
         """Sentences about parts of the file that are damaged."""
         self.undecoded = reader.undecoded
-        """The number of sound frames that are no message."""
+        """The number of valid frames that do not decode."""
         self.counters = {one: ParserCounters(*reader.counters(bool(one))) for one in Direction}
-        """The counters of the parser for each direction, as `sbgc decode` prints it."""
+        """The counters of the parser for each direction, as printed by `sbgc decode`."""
 
     def __getitem__(self, message: type[Message]) -> Table:
         if message not in self._tables:

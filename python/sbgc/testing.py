@@ -4,8 +4,8 @@ In conftest.py:
 
     pytest_plugins = ["sbgc.testing"]
 
-A test takes `gimbal`, a client whose board is `gimbal_board`, in virtual time and without noise. A
-fixture `emulator_options` of its own chooses others:
+A test uses `gimbal`, a client whose board is `gimbal_board`, in virtual time and without noise. To
+change the options, define a fixture `emulator_options`:
 
     @pytest.fixture
     def emulator_options():

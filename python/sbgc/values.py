@@ -14,7 +14,7 @@ P = TypeVar("P", bound="Packed")
 
 
 class OpenEnum(IntEnum):
-    """An enum of the protocol. Values without a name are members as well: ControlMode(77)."""
+    """An enum of the protocol. Unnamed values are members as well: ControlMode(77)."""
 
     @classmethod
     def _missing_(cls, value: object) -> Any:
@@ -35,7 +35,7 @@ class OpenEnum(IntEnum):
 
 
 class _FlagType(EnumMeta):
-    """Flags with `~` of their own: EnumMeta replaces that of a base class."""
+    """Flags with their own `~`: EnumMeta replaces that of a base class."""
 
     def __new__(metacls, *arguments: Any, **options: Any) -> Any:
         made: Any = super().__new__(metacls, *arguments, **options)
@@ -44,10 +44,10 @@ class _FlagType(EnumMeta):
 
 
 class OpenFlags(IntFlag, metaclass=_FlagType):
-    """A set of flags of the protocol. It keeps bits without a name, also in `flags & ~FLAG`."""
+    """A set of flags of the protocol. It keeps unnamed bits, also in `flags & ~FLAG`."""
 
     def __repr__(self) -> str:
-        """Names joined by "|", and the bits without one as a number."""
+        """Return the names joined by "|", and unnamed bits as a number."""
         name, rest, said = type(self).__name__, int(self), []
         for flag, member in type(self).__members__.items():
             if int(member) and rest & int(member) == int(member):
@@ -85,7 +85,7 @@ class Flags32(OpenFlags):
 
 
 class Packed(int):
-    """An integer of the wire with several parts, such as a version. No bit of it is lost.
+    """A raw integer with several parts, such as a version. All bits are preserved.
 
     The arguments replace parts: `ControlMode(old, mode=ControlModeKind.MODE_ANGLE)`.
     """

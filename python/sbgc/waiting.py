@@ -11,7 +11,7 @@ from sbgc.link import STOP, Link, SpeedControl, out_of_time, seconds_of
 
 T = TypeVar("T")
 
-# How long a wait lasts before the interpreter may handle signals.
+# The duration of a wait before the interpreter may handle signals.
 _SLICE = 0.05
 
 
@@ -27,7 +27,7 @@ class Waiting(Link):
         self._log()
 
     def close(self) -> None:
-        """Stop a camera that a call moves, end all calls, and close the line."""
+        """Stop a camera that a call is moving, end all calls, and close the line."""
         self._is_closed = True
         self._link.close(STOP)
         self._log()
@@ -38,7 +38,7 @@ class Waiting(Link):
         timeout: Optional[float],
         problem: Callable[[float], Exception] = out_of_time,
     ) -> T:
-        """Ask, for so many seconds each time, until the answer is true."""
+        """Poll, waiting for this many seconds each time, until the answer is true."""
         seconds = seconds_of(timeout)
         until = self._link.now() + seconds
         while not (found := ask(_SLICE)):
@@ -65,7 +65,7 @@ class SpeedBlock:
     def __init__(self, gimbal: Waiting, silence: float) -> None:
         self._held = _core.HeldSpeed(gimbal._link, silence)
         self._control = SpeedControl(self._held)
-        # Not a function of Python, before which Ctrl-C could end the block.
+        # Not a Python function, before which Ctrl-C could end the block.
         self._exit = self._held.exit
 
     def __enter__(self) -> SpeedControl:

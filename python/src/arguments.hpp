@@ -1,5 +1,5 @@
-/// Arguments of Python as values of the client. What is wrong is an error with the name of the
-/// argument, its value and the limit.
+/// Conversion of Python arguments to values of the client. Errors contain the name of the argument,
+/// its value and the limit.
 #pragma once
 
 #include <algorithm>
@@ -26,13 +26,13 @@ double number_in(double value, const char* name, double lowest, double highest);
 std::int64_t integer_of(py::handle value, const char* name, std::int64_t lowest,
                         std::int64_t highest);
 std::string string_of(py::handle value, const char* name);
-/// The text of a file's name, also of a pathlib.Path.
+/// Returns the text of a file name, which may be a pathlib.Path.
 std::string path_of(py::handle value, const char* name);
 bool flag_of(py::handle value, const char* name);
 std::vector<std::string> texts_of(py::handle value, const char* name);
 std::vector<std::uint8_t> memory_of(py::handle value, const char* name);
 
-/// The name of an argument, as an argument of a template.
+/// The name of an argument, as a template argument.
 template <std::size_t size>
 struct Name {
   // NOLINTNEXTLINE(google-explicit-constructor): a literal is one
@@ -92,7 +92,7 @@ struct MemoryArgument {
   using Value = std::vector<std::uint8_t>;
   static Value of(py::handle value, const char* name) { return memory_of(value, name); }
 };
-/// None is possible, too.
+/// Accepts None, too.
 template <class T>
 struct OptionalArgument {
   using Value = std::optional<typename T::Value>;
@@ -151,7 +151,7 @@ struct type_caster<sbgc::python::Argument<T, called>> {
   using Type = sbgc::python::Argument<T, called>;
   PYBIND11_TYPE_CASTER(Type, const_name("object"));
 
-  /// Raises instead of returning false, for which pybind11 would list the types of C++.
+  /// Raises instead of returning false, for which pybind11 would list the C++ types.
   bool load(handle given, bool) {
     value.value = T::of(given, called.characters);
     return true;

@@ -1,4 +1,4 @@
-/// Shared code of the parts of the extension.
+/// Shared code of the extension.
 #pragma once
 
 #include <cstdint>
@@ -36,7 +36,7 @@ void bind_tasks(py::module_& module, LinkClass& link);
 
 using Bytes = std::span<const std::uint8_t>;
 
-/// Calls `use` with the bytes of an object that has some.
+/// Calls `use` with the bytes of an object that supports the buffer protocol.
 template <class Use>
 decltype(auto) with_bytes(const py::buffer& object, const Use& use) {
   Py_buffer view;
@@ -45,9 +45,9 @@ decltype(auto) with_bytes(const py::buffer& object, const Use& use) {
   return use(Bytes(static_cast<const std::uint8_t*>(view.buf), static_cast<std::size_t>(view.len)));
 }
 
-/// Waits for the interpreter. If it ends meanwhile, it ends this thread by unwinding its stack,
-/// whose destructors would release objects without its lock: the thread waits for the end of the
-/// process.
+/// Waits for the interpreter. If the interpreter is finalized meanwhile, it would unwind the stack
+/// of this thread, and destructors would release objects without its lock: instead, the thread
+/// waits for the end of the process.
 inline void wait_for_interpreter(PyThreadState* thread) {
 #ifdef __linux__
   try {
@@ -73,7 +73,7 @@ inline py::bytes to_bytes(Bytes bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};  // NOLINT(*-reinterpret-cast)
 }
 
-/// Bytes that are not UTF-8 survive.
+/// Preserves bytes that are not UTF-8.
 inline py::object to_text(std::string_view text) {
   return py::reinterpret_steal<py::object>(
       PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "surrogateescape"));
@@ -86,7 +86,7 @@ inline Framing framing_at(unsigned number) {
                         " are possible, not " + std::to_string(number));
 }
 
-/// Returns a message of the library as one whose type is known at run time.
+/// Returns a message of known type as an AnyMessage.
 template <class M>
 AnyMessage any_of(const M& message) {
   AnyMessage result = find_message(Meta<M>::info.name)->make();

@@ -1,4 +1,4 @@
-// Frequency responses: files and analysis.
+// Files and analysis of frequency responses.
 
 #include <optional>
 #include <string>

@@ -1,4 +1,4 @@
-// Captures: their messages by kind, in one pass.
+// Reads the messages of a capture by kind, in one pass.
 
 #include <algorithm>
 #include <array>
@@ -74,15 +74,15 @@ class Layout {
   std::size_t size_ = 0;
 };
 
-/// Returns the values of a message that have the same places in every body; nothing if their places
-/// or their units depend on other values, or on earlier messages.
+/// Returns the values of a message that have the same offsets in every body; nothing if offsets or
+/// units depend on other values, or on earlier messages.
 std::optional<std::vector<FixedValue>> fixed_layout(const MessageType& type) {
   Layout layout;
   if (!layout.add_members(type.fields(), "")) return std::nullopt;
   return std::move(layout.values);
 }
 
-/// True if a request decides which message such a frame is.
+/// True if the message type of such a frame depends on the request.
 bool is_asked(bool from_board, const Frame& frame) {
   bool result = false;
   if (from_board) {
@@ -130,7 +130,7 @@ class CaptureReader {
     const ParserCounters& c = sides_.at(from_board ? 1 : 0).total;
     return py::make_tuple(c.frames, c.skipped_bytes, c.header_errors, c.body_errors, c.incomplete);
   }
-  /// For each kind its name, and the bodies or the columns.
+  /// Returns the name of each kind, and its bodies or columns.
   py::list kinds() const {
     py::list result;
     for (const auto& kind : kinds_) {
@@ -149,7 +149,7 @@ class CaptureReader {
   };
   /// The type of frames of one id and size.
   struct Form {
-    bool is_known = false;  // false again if a request decides for each
+    bool is_known = false;  // false again if it depends on each request
     Kind* kind = nullptr;   // null if they do not decode
   };
 
@@ -190,7 +190,7 @@ class CaptureReader {
     const std::uint64_t end = frame.offset + frame_size(frame.framing, frame.body.size());
     const double time = seconds(side.arrivals.of(end));
     Form& form = forms_.at(from_board ? 1 : 0).at(frame.id).at(frame.body.size());
-    // Whether a body with a fixed layout decodes depends on its size alone.
+    // A body with a fixed layout decodes if its size is right.
     if (form.is_known && form.kind != nullptr && form.kind->layout && !form.kind->teaches) {
       return form.kind->bodies->add(time, frame.body);
     }
@@ -244,8 +244,8 @@ class CaptureReader {
   std::array<std::array<std::array<Form, max_body_size + 1>, 256>, 2> forms_{};
 };
 
-/// For each value its path, its type as in simplebgc.json, its size and offset in the body, whether
-/// it has a unit, and whether it is reserved.
+/// Returns for each value its path, its type as in simplebgc.json, its size and offset in the body,
+/// whether it has a unit, and whether it is reserved.
 py::object layout_of(std::string_view name) {
   const MessageType* const type = find_message(name);
   const auto layout = type == nullptr ? std::nullopt : fixed_layout(*type);
@@ -262,7 +262,7 @@ py::object layout_of(std::string_view name) {
   return result;
 }
 
-/// Fills arrays of numpy with the numbers of these paths, or with the times.
+/// Fills numpy arrays with the numbers of these paths, or with the times.
 void fill_arrays(const Bodies& bodies, std::string_view message,
                  const std::map<std::string, py::buffer, std::less<>>& arrays) {
   static const FieldType seconds{.shape = FieldShape::real, .size = sizeof(double)};

@@ -1,4 +1,4 @@
-// The client: what it is asked for becomes operations.
+// The client: turns requests of Python into operations.
 
 #include <optional>
 
@@ -71,8 +71,8 @@ class HeldSpeed {
   void stop() {
     done([](SpeedControl& control) { return control.stop(); });
   }
-  /// Warns if it has stopped the camera because its owner was silent. `level` says which caller
-  /// the warning names.
+  /// Warns if it has stopped the camera because its owner was silent. `level` selects the caller
+  /// that the warning names.
   void warn_of_silence(int level) const {
     held_->link->require_this_process();
     if (held_->control->state() != SpeedControlState::silenced) return;
@@ -85,13 +85,13 @@ class HeldSpeed {
       throw py::error_already_set();
     }
   }
-  /// Stops the camera; the operation ends when it stands still.
+  /// Stops the camera; the operation ends when the camera stands still.
   OperationPointer close() {
     operation_->cancel_by_python();
     return operation_;
   }
-  /// The end of a block, in one call that no signal interrupts: Ctrl-C is raised when the camera
-  /// stands still, or after a second.
+  /// The end of a block, in one call that no signal interrupts: KeyboardInterrupt is raised when
+  /// the camera stands still, or after a second.
   void exit(const py::args& error) {
     if (held_->link->is_forked()) return;
     const bool is_silenced = held_->control->state() == SpeedControlState::silenced;
@@ -118,7 +118,7 @@ class HeldSpeed {
     raise_client(changed.error());
   }
 
-  /// It stops the camera, and so needs its client, unless this is a forked child.
+  /// It stops the camera, and so needs its client, except in a forked child.
   struct Held {
     Held(LinkPointer of, std::chrono::milliseconds longest)
         : link(std::move(of)),
@@ -183,7 +183,7 @@ OperationPointer connect_to_board(Link& link, const std::shared_ptr<Emulation>& 
   return link.connect("", board->line(), connect_options(timeout, capture), reconnects);
 }
 
-/// Its board, firmware and serial number as texts, and the messages that say more.
+/// Returns board, firmware and serial number as texts, and the messages with the details.
 py::tuple identity_of(const Link& link) {
   const BoardIdentity board = link.client().identity();
   std::optional<AnyMessage> details;

@@ -1,4 +1,4 @@
-// Frames: found in streams, decoded one at a time.
+// Finds frames in streams, and decodes single frames.
 
 #include <optional>
 
@@ -13,7 +13,7 @@ namespace sbgc::python {
 
 namespace {
 
-/// A frame with its own bytes.
+/// A frame that owns its bytes.
 struct OwnFrame {
   unsigned id{};
   py::bytes body{};

@@ -38,7 +38,7 @@ void fill(const Rows& rows, const NumberColumn& column, const Convert& convert) 
 
 void fill_part(const Rows& rows, std::span<const NumberColumn> columns, std::size_t first,
                std::size_t end) {
-  constexpr std::size_t block = 1024;  // whose bytes stay in the cache until all columns have them
+  constexpr std::size_t block = 1024;  // the bytes stay in the cache until all columns have them
   for (std::size_t begin = first; begin < end; begin += block) {
     const Rows part{rows.first + begin * rows.stride, std::min(block, end - begin), rows.stride};
     for (const NumberColumn& whole : columns) {
@@ -67,7 +67,7 @@ void fill(const Rows& rows, std::span<const NumberColumn> columns) {
   const std::size_t most = std::clamp(std::thread::hardware_concurrency(), 1U, 4U);
   const std::size_t threads = std::clamp<std::size_t>(rows.count / worth_a_thread, 1, most);
   const auto begin_of = [&](std::size_t part) { return rows.count * part / threads; };
-  std::vector<std::future<void>> others;  // not std::jthread, which not every system has
+  std::vector<std::future<void>> others;  // not std::jthread, which some systems lack
   for (std::size_t i = 1; i < threads; ++i) {
     others.push_back(std::async(std::launch::async, fill_part, std::cref(rows), columns,
                                 begin_of(i), begin_of(i + 1)));

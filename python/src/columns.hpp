@@ -9,14 +9,14 @@
 
 namespace sbgc::python {
 
-/// Messages one after the other.
+/// Contiguous messages.
 struct Rows {
   const std::uint8_t* first;
   std::size_t count;
   std::size_t stride;
 };
 
-/// A number of all rows, and where it goes: as f64 if it has a unit, otherwise as the type on the
+/// A number of all rows, and its destination: as f64 if it has a unit, otherwise as the type on the
 /// wire, or with 32 bits if that has 24.
 struct NumberColumn {
   const FieldType* type;

@@ -22,8 +22,8 @@
 
 namespace sbgc::python {
 
-/// The board and its thread, which never runs Python. In virtual time it has none: who waits for
-/// something runs it.
+/// The board and its thread, which never runs Python. In virtual time it has no thread: whoever
+/// waits for something runs it.
 class Emulation : public std::enable_shared_from_this<Emulation> {
  public:
   Emulation(const emulator::EmulatorOptions& options, bool has_virtual_time)
@@ -38,7 +38,7 @@ class Emulation : public std::enable_shared_from_this<Emulation> {
     if (thread_.joinable()) thread_.join();
     for (const auto& host : hosts_) host->close();
   }
-  /// A forked child, which has no thread of it, leaves its memory alone.
+  /// In a forked child, which does not have its thread, its memory is leaked.
   static std::shared_ptr<Emulation> make(const emulator::EmulatorOptions& options,
                                          bool has_virtual_time) {
     return {new Emulation(options, has_virtual_time), [](const Emulation* one) {
@@ -48,7 +48,7 @@ class Emulation : public std::enable_shared_from_this<Emulation> {
   void require_this_process() const { process_.require("the emulated board"); }
 
   bool has_virtual_time() const noexcept { return time_ != nullptr; }
-  /// Its virtual time, which keeps the board; null if it is in real time.
+  /// Returns its virtual time, which keeps the board; null in real time.
   std::shared_ptr<io::detail::VirtualTime> time() {
     if (time_ == nullptr) return nullptr;
     return {shared_from_this(), time_};

@@ -16,8 +16,8 @@
 
 namespace sbgc::python {
 
-/// Bodies one after the other, as an array of numpy: each behind the time in seconds (f64) and its
-/// size (u8), and with zeros up to the size of the largest.
+/// Contiguous bodies, as a numpy array: each is preceded by the time in seconds (f64) and its size
+/// (u8), and zero-padded to the largest size.
 class Bodies {
  public:
   static constexpr std::size_t head_size = sizeof(double) + 1;
@@ -39,7 +39,7 @@ class Bodies {
   const py::bytearray& bytes() const noexcept { return bytes_; }
 
  private:
-  /// Python's array grows in place where the system can; a vector would copy all that it has.
+  /// Python's array grows in place if the system can; a vector would copy its contents.
   std::uint8_t* resize(std::size_t rows) {
     if (PyByteArray_Resize(bytes_.ptr(), static_cast<py::ssize_t>(rows * stride_)) != 0) {
       throw py::error_already_set();

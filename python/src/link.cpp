@@ -55,11 +55,11 @@ Link::~Link() {
   const auto end = [&] {
     close(now() + patience);
     state_->client.reset();
-    state_->work.reset();  // what still runs ends soon, because the line is closed
+    state_->work.reset();  // running work ends soon, because the line is closed
     state_->thread.join();
     return true;
   };
-  // Other threads of Python run meanwhile; at the end of the interpreter, there are none.
+  // Other Python threads run meanwhile; at the end of the interpreter, there are none.
   if (PyGILState_Check() == 0 || Py_IsInitialized() == 0) {
     end();
   } else {

@@ -30,8 +30,8 @@ inline py::object to_python(const Result<void>& result) {
   return py::none();
 }
 
-/// Python owns it, and destroys it on any of its threads. In a forked child it has no thread: it
-/// refuses everything there, and leaves its memory alone.
+/// Python owns it, and destroys it on any of its threads. In a forked child it has no thread:
+/// there, it rejects all calls, and leaks its memory.
 class Link : public std::enable_shared_from_this<Link> {
  public:
   Link();
@@ -47,12 +47,12 @@ class Link : public std::enable_shared_from_this<Link> {
   std::shared_ptr<Operation> make_operation();
   /// Makes close() cancel the operation.
   void add(const std::shared_ptr<Operation>& operation);
-  /// Takes the result of an operation of the client, and lets it be cancelled.
+  /// Receives the result of an operation of the client, and allows canceling it.
   template <class R>
   using Token = asio::cancellation_slot_binder<std::function<void(R)>, asio::cancellation_slot>;
   /// Makes Operation::begin() start an operation of the client, `start(client, token)`, whose end
-  /// ends this one with `convert(result)`. `convert` is called on the client's thread, and makes
-  /// what makes the result for Python.
+  /// ends this one with `convert(result)`. `convert` is called on the client's thread, and returns
+  /// a function that makes the result for Python.
   template <class R, class Start, class Convert>
   void prepare(Operation& operation, Start start, Convert convert) {
     operation.set_begin([link = shared_from_this(), start = std::move(start),
@@ -96,17 +96,16 @@ class Link : public std::enable_shared_from_this<Link> {
 
   bool is_forked() const noexcept { return process_.is_forked(); }
   void require_this_process() const { process_.require("the client"); }
-  /// Raises if it is not connected or closed.
+  /// Raises if it is not connected or is closed.
   AsyncClient& client() const;
   bool is_connected() const;
-  /// Cancels what runs, which stops a moving camera; close() closes the line then.
+  /// Cancels all operations, which stops a moving camera; close() then closes the line.
   void begin_close();
   /// True when everything that begin_close() has cancelled is over.
   bool is_still() const;
-  /// Does both, and waits in between, at most until then.
+  /// Does both, and waits in between, until this time at the latest.
   void close(Instant until);
-  /// The changes of the connection since the last call, with retries: a name and a
-  /// sentence.
+  /// The changes of the connection since the last call, with retries: a name and a sentence.
   using Events = std::vector<std::pair<std::string, std::string>>;
   Events take_events();
   const std::shared_ptr<Bell>& bell() const { return state_->bell; }
@@ -142,7 +141,7 @@ class Link : public std::enable_shared_from_this<Link> {
 
   Process process_{};
   std::unique_ptr<State> state_;
-  std::uint64_t retries_ = 0;  // that take_events() has returned
+  std::uint64_t retries_ = 0;  // already returned by take_events()
 };
 
 }  // namespace sbgc::python

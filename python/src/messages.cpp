@@ -1,4 +1,4 @@
-// Messages of any type, whose fields are read and written by their paths.
+// Messages of any type, with fields accessed by path.
 
 #include <algorithm>
 #include <array>
@@ -44,7 +44,7 @@ bool is_at(const FieldPath* at, std::string_view path) {
   return is_at(at->parent, path);
 }
 
-/// Returns the last step of the path `at` that is the path itself; null if it leads elsewhere.
+/// Returns the last step of the path `at` that equals `path`; null if it leads elsewhere.
 const FieldPath* step_to(const FieldPath& at, std::string_view path) {
   for (const FieldPath* step = &at; step != nullptr; step = step->parent) {
     if (is_at(step, path)) return step;
@@ -85,7 +85,7 @@ py::object value_of(const Leaf& leaf, bool raw) {
   return to_text(leaf.text);
 }
 
-/// Returns the value at a path, perhaps a raw one: get(path, raw=False); None if there is none. A
+/// Returns the value at a path, optionally raw: get(path, raw=False); None if there is none. A
 /// method without pybind11, whose dispatch takes longer than the rest.
 PyObject* get(PyObject* self, PyObject* const* arguments, Py_ssize_t count) {
   // NOLINTNEXTLINE(*-reinterpret-cast): Python has checked the type
@@ -110,10 +110,10 @@ PyObject* get(PyObject* self, PyObject* const* arguments, Py_ssize_t count) {
   } catch (const std::exception& error) {
     PyErr_SetString(PyExc_RuntimeError, error.what());
   }
-  return nullptr;  // no exception of C++ may pass through the interpreter
+  return nullptr;  // no C++ exception may pass through the interpreter
 }
 
-/// Assigns, and raises a FieldError with the reason if that is not possible.
+/// Assigns, and raises a FieldError with the reason on failure.
 void assign(AnyMessage& message, std::string_view path, std::string_view text, bool validates) {
   const std::string problem = message.assign(path, text, validates);
   if (!problem.empty()) raise("FieldError", problem, path);
@@ -155,7 +155,7 @@ void set_real(AnyMessage& message, std::string_view path, const py::object& valu
   assign(message, path, text, true);
 }
 
-/// Sets the number on the wire.
+/// Sets the raw number.
 void set_raw(AnyMessage& message, std::string_view path, const py::object& value) {
   if (PyFloat_Check(value.ptr())) {
     assign(message, path, "raw:" + number_text(value.cast<double>()), true);
@@ -183,7 +183,7 @@ void set_text(AnyMessage& message, std::string_view path, const py::object& valu
   assign(message, path, std::string(bytes), true);
 }
 
-/// Sets a value of any kind: a text as people write it, a number in the unit of the field.
+/// Sets a value of any kind: human-readable text, or a number in the unit of the field.
 void put(AnyMessage& message, std::string_view path, const py::object& value) {
   bool is_number = false;
   bool has_unit = false;
@@ -221,7 +221,7 @@ std::vector<std::string> paths(const AnyMessage& message) {
   return found;
 }
 
-/// Returns the value at a path as people write it: the names of enum values and flags.
+/// Returns the value at a path in readable form: the names of enum values and flags.
 py::object said(const AnyMessage& message, std::string_view path) {
   py::object result = py::none();
   message.with_leaf(path, [&](const Leaf& leaf) {
@@ -253,7 +253,7 @@ AnyValue raw_value(const Leaf& leaf) {
   }
 }
 
-/// Returns the values below a path, by their paths from there.
+/// Returns the values below a path, by their relative paths.
 Values values_below(const AnyMessage& message, std::string_view path) {
   Values result;
   message.for_each_leaf([&](const Leaf& leaf) {
@@ -268,7 +268,7 @@ bool is_equal(const AnyMessage& a, std::string_view path, const AnyMessage& b,
   return values_below(a, path) == values_below(b, other);
 }
 
-/// Removes everything below a path that a message can lack.
+/// Removes everything optional below a path.
 void clear(AnyMessage& message, std::string_view path) {
   for (const auto& [rest, value] : values_below(message, path)) {
     for (std::size_t end = 1; end <= rest.size(); ++end) {
@@ -278,8 +278,8 @@ void clear(AnyMessage& message, std::string_view path) {
   }
 }
 
-/// Copies the values below a path of another message. A value keeps its size in its unit, which a
-/// flag may select.
+/// Copies the values below a path of another message. A value keeps its physical value; its unit
+/// may depend on a flag.
 void copy_values(AnyMessage& to, std::string_view path, const AnyMessage& from,
                  std::string_view other) {
   clear(to, path);
@@ -302,7 +302,7 @@ void copy_values(AnyMessage& to, std::string_view path, const AnyMessage& from,
   }
 }
 
-/// Returns the text of the values below a path, as to_string() of a struct: "{angle = -30 deg, …}".
+/// Returns the text of the values below a path, like to_string(): "{angle = -30 deg, …}".
 std::string text_below(const AnyMessage& message, std::string_view path) {
   std::string text;
   message.for_each_leaf([&](const Leaf& leaf) {

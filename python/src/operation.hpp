@@ -1,4 +1,4 @@
-/// An operation that takes time: it runs on the thread of its client, and Python waits for it.
+/// An asynchronous operation: it runs on the thread of its client, and Python waits for it.
 #pragma once
 
 #include <cmath>
@@ -19,7 +19,7 @@
 namespace sbgc::python {
 
 /// The process that made an object. A forked child has none of its threads, and its mutexes may be
-/// locked for ever.
+/// locked forever.
 class Process {
  public:
   bool is_forked() const noexcept { return id_ != getpid(); }
@@ -34,13 +34,13 @@ class Process {
   pid_t id_ = getpid();
 };
 
-/// Null for the time of the machine.
+/// Null for real time.
 using VirtualTimePointer = std::shared_ptr<io::detail::VirtualTime>;
 
 inline Duration duration_of(double seconds) { return microseconds(std::llround(seconds * 1e6)); }
 
-/// A file descriptor that is readable when something has happened: for asyncio, so that the
-/// client's thread never needs the interpreter.
+/// A file descriptor that becomes readable on an event: for asyncio, so that the client's thread
+/// never needs the interpreter.
 class Bell {
  public:
   Bell();
@@ -60,15 +60,15 @@ class Bell {
 /// then result().
 class Operation : public std::enable_shared_from_this<Operation> {
  public:
-  /// Makes the result for Python, or raises. Holds nothing of Python.
+  /// Makes the result for Python, or raises. Holds no Python objects.
   using Result = std::function<py::object()>;
   using Begin = std::function<void(const std::shared_ptr<Operation>&)>;
 
-  /// Without `time`, its time is that of the machine.
+  /// Without `time`, it uses real time.
   explicit Operation(std::shared_ptr<Bell> bell, VirtualTimePointer time = nullptr)
       : bell_(std::move(bell)), time_(std::move(time)) {}
 
-  /// Sets what begin() does, once.
+  /// Sets the action of begin(), once.
   void set_begin(Begin begin) { begin_ = std::move(begin); }
   void set_cancel(std::function<void()> cancel) {
     const std::scoped_lock lock(mutex_);
@@ -90,7 +90,7 @@ class Operation : public std::enable_shared_from_this<Operation> {
     }
     bell_->ring();
   }
-  /// Ends it soon, as an error; what moves the camera stops it first.
+  /// Ends it soon, with an error; an operation that moves the camera stops it first.
   void cancel() {
     std::function<void()> cancel;
     {
@@ -99,7 +99,7 @@ class Operation : public std::enable_shared_from_this<Operation> {
     }
     if (cancel) cancel();
   }
-  /// Returns whether it is over by then.
+  /// Returns whether it is over by this time.
   bool wait_until(Instant time) {
     if (time_) return time_->run([this] { return is_over(); }, time);
     std::unique_lock lock(mutex_);
@@ -112,7 +112,7 @@ class Operation : public std::enable_shared_from_this<Operation> {
     return static_cast<bool>(result_);
   }
 
-  // For Python, whose interpreter is released meanwhile.
+  // For Python; the interpreter is released meanwhile.
 
   void begin() {
     process_.require("the client");
@@ -148,7 +148,7 @@ class Operation : public std::enable_shared_from_this<Operation> {
     }
     return progress ? progress() : py::none();
   }
-  /// True while there is something to wait for.
+  /// True while it can be waited for.
   bool is_running() const { return has_begun_ && !is_over() && !process_.is_forked(); }
 
  private:

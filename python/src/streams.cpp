@@ -1,4 +1,4 @@
-// Data streams: samples wait in a queue.
+// Data streams: samples are queued.
 
 #include <deque>
 #include <optional>
@@ -13,7 +13,7 @@ namespace sbgc::python {
 
 namespace {
 
-/// Samples that wait for Python. Beyond a limit, the oldest are dropped. The stream ends with the
+/// Queued samples for Python. Beyond a limit, the oldest are dropped. The stream ends with the
 /// queue.
 class SampleQueue {
  public:
@@ -22,7 +22,7 @@ class SampleQueue {
   SampleQueue(const SampleQueue&) = delete;
   SampleQueue& operator=(const SampleQueue&) = delete;
   ~SampleQueue() {
-    // Its client's locks may be locked for ever in a forked child.
+    // In a forked child, its client's locks may be locked forever.
     if (process_.is_forked()) static_cast<void>(subscription_.release());
   }
 

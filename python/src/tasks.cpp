@@ -103,7 +103,7 @@ py::object result_of(const Result<T>& result) {
 }
 py::object result_of(const WriteReport& report) { return report_of(report); }
 
-// Progress. An operation that nobody waits for any more has none.
+// Progress. An operation that is no longer awaited has none.
 
 ProgressHandler progress_to(const OperationPointer& operation) {
   return [weak = std::weak_ptr(operation)](const Progress& progress) {
@@ -273,7 +273,7 @@ class Methods {
  public:
   explicit Methods(LinkClass& link) : link_(link) {}
 
-  /// Adds a method that runs the task which `make` returns.
+  /// Adds a method that runs the task returned by `make`.
   template <class R, class... Arguments>
   const Methods& def(const char* name, Task<R> (*make)(Arguments...)) const {
     link_.def(name, [make](Link& link, Arguments... arguments) {

@@ -188,8 +188,7 @@ TEST_F(Async, DestroyingTheClientOnItsExecutorEndsTheSearchForTheLine) {
 }
 
 TEST_F(Async, CancellingWhatIsOverDoesNothing) {
-  // As the operators && and
-  // of awaitables and parallel groups do.
+  // The operators && and || of awaitables and parallel groups do this.
   asio::cancellation_signal signal;
   std::promise<bool> connected;
   asio::post(running.executor(), [&] {

@@ -1,4 +1,4 @@
-// What a camera does after the line is cut while it turns, in virtual time.
+// The behavior of a turning camera after the line is cut, in virtual time.
 
 #include "tasks/bounded_turn.hpp"
 

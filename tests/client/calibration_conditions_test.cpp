@@ -1,4 +1,4 @@
-// What a calibration needs, and the automatic tuning of the controllers, in virtual time.
+// Preconditions of calibrations, and automatic tuning of the controllers, in virtual time.
 
 #include <sbgc/client/readiness.hpp>
 #include <sbgc/client/tuning.hpp>

@@ -218,7 +218,7 @@ TEST_P(StopTest, AHeldSpeedOfTheSameClientFailsOnceAndThenTurnsAgain) {
   EXPECT_FALSE(programs.stands());
 }
 
-// As keys that are held, released and held again, or a machine that stalls.
+// For example, keys that are held, released and held again, or a machine that stalls.
 TEST_P(StopTest, AHeldSpeedMayBeginAgainAfterItsOwnStop) {
   Owner owner(programs, 0, true);
   for (int i = 0; i < 6; ++i) {

@@ -1,4 +1,4 @@
-/// What the tests of the client share: names, results, waiting, and clients of a board.
+/// Helpers for the tests of the client: names, results, waiting, and clients of a board.
 #pragma once
 
 #include <algorithm>

@@ -82,7 +82,7 @@ const std::filesystem::path generated = SBGC_GENERATED;
 /// The oldest board, two in between, and the newest.
 constexpr Availability boards[] = {{}, {2610, 30}, {2690, 36}, newest};
 
-/// How often the two said that a message is valid, and that it is not.
+/// Counts how often both found a message valid, and invalid.
 struct Verdicts {
   int valid{};
   int invalid{};

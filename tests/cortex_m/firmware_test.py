@@ -24,11 +24,11 @@ EXAMPLE = ROOT / "examples/cortex-m"
 # same instructions.
 MACHINES = {"m0plus": "microbit", "m4f": "mps2-an386", "m7": "mps2-an500"}
 
-# How long the next line of output may take. The programs need less than two seconds, a busy machine
+# The timeout for the next line of output. The programs need less than two seconds, a busy machine
 # more.
 PATIENCE = 120
 
-# What does not belong in a program for a microcontroller, by the names of symbols.
+# Symbols that do not belong in a program for a microcontroller.
 FORBIDDEN = {
     "heap": r"malloc|calloc|realloc|free|_sbrk|_Zn[wa]|_Zd[la]",
     "exceptions": r"__cxa_|_Unwind_|__gxx_personality|__aeabi_unwind",

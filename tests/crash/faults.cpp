@@ -1,17 +1,14 @@
-// A library to preload, which kills the program or lets calls fail at a chosen call of the system.
+// A preloaded library that kills the program, or makes calls fail, at a chosen system call.
 //
-// SBGC_FAULT_AT is the beginning of the paths that count: a folder, or "socket:". SBGC_FAULT is one
-// of
+// SBGC_FAULT_AT is the prefix of the paths that count: a folder, or "socket:". SBGC_FAULT is one of
 //   kill N         dies before the N-th call that changes such a file
 //   tear N         dies in the middle of the N-th call: a write has written half of its bytes,
-//   other
-//                  calls have ended
+//                  other calls have ended
 //   fail N NUMBER  the N-th and all later calls fail with this error number; before that, a write
-//   writes
-//                  half of its bytes, as on a full disk
+//                  writes half of its bytes, as on a full disk
 //   time US PAUSE  dies this long after the first call; each call takes PAUSE microseconds longer
 //
-// While the file that SBGC_FAULT_WHILE names is there, fsync() and fdatasync() do not return.
+// While the file that SBGC_FAULT_WHILE names exists, fsync() and fdatasync() do not return.
 
 #include <atomic>
 #include <cerrno>
@@ -131,16 +128,16 @@ long perform(Real real, bool can_fail = true) {
   return -1;
 }
 
-/// How much of a write: the whole (1), or a half (0 and 2).
+/// Returns the size of a write: the whole (1), or a half (0 and 2).
 std::size_t part(std::size_t size, int share) { return share == 1 ? size : size / 2; }
 
-/// For calls that are no writes: a failing one is not made.
+/// For calls other than writes: a failing one is not made.
 template <class Real>
 long perform_whole(Real real, bool can_fail = true) {
   return perform([&](int share) { return share == 0 ? 0L : static_cast<long>(real()); }, can_fail);
 }
 
-/// As a disk that hangs, until the file is gone.
+/// Simulates a disk that hangs, until the file is gone.
 void hang() {
   const char* const file = std::getenv("SBGC_FAULT_WHILE");
   while (file != nullptr && ::access(file, F_OK) == 0) ::usleep(1000);
@@ -155,7 +152,7 @@ int open_file(const char* path, int flags, mode_t mode) {
 
 }  // namespace
 
-// What the program calls instead of the C library, whose headers have other names of parameters.
+// Replacements of functions of the C library, whose headers name the parameters differently.
 // NOLINTBEGIN(readability-inconsistent-declaration-parameter-name,readability-identifier-naming,bugprone-reserved-identifier)
 extern "C" {
 

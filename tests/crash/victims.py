@@ -1,4 +1,4 @@
-"""What is killed, or gets errors from the system, and what must be true afterwards.
+"""Commands that are killed or get system errors, and the checks of the state afterwards.
 
 faults.cpp, which is preloaded, dies or fails at a chosen call. Each class runs one command with such a
 fault (`attempt`) and then checks that nothing is torn, and that the next run works (`check`).

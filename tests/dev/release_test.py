@@ -17,7 +17,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 HEADER = Path("runtime/core/include/sbgc/version.hpp")
-# What a release is made of, except what DEV stands for.
+# The parts of a release, except those that DEV stands for.
 PARTS = (
     *(
         ".ci/release",
@@ -158,7 +158,7 @@ def test_the_files_of_a_commit_are_the_same_everywhere(
         assert f"{name}/{file}" in names
 
 
-# What the schema of SPDX 2.3 requires.
+# The keys that the schema of SPDX 2.3 requires.
 REQUIRED = {
     "": {"SPDXID", "spdxVersion", "creationInfo", "dataLicense", "name", "documentNamespace"},
     "creationInfo": {"created", "creators"},

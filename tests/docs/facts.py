@@ -283,7 +283,7 @@ def _leaf(message: Message, leaf: Leaf) -> Iterator[Fact]:
 
 
 def _before(place: Place, field: Field, message: Message) -> Iterator[Fact]:
-    """What bodies of firmware without the field have in its place."""
+    """The facts about bodies from firmware without the field."""
     if field.appended:
         whole = "element" if "[]." in place.hook else "body"
         yield Fact(place, "field appended", f"before, the {whole} ends here", "meaning")

@@ -116,7 +116,7 @@ class Station:
         return self.encode("GIMBAL_DEVICE_SET_ATTITUDE", q=q, flags=flags, **fields)
 
     def aim(self, *given: Any, **named: Any) -> Aim:
-        """What sends SET_ATTITUDE, for fly()."""
+        """Returns a function that sends SET_ATTITUDE, for fly()."""
         return lambda: self.put(self.attitude(*given, **named))
 
     def command(

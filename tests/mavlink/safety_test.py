@@ -1,4 +1,4 @@
-"""What the camera does when something dies, lies or is lost: mostly nothing."""
+"""The camera stays safe when a component dies, lies or is lost: mostly, it does nothing."""
 
 from __future__ import annotations
 

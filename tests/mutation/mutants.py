@@ -98,7 +98,7 @@ class Mutant:
 
     @property
     def change(self) -> str:
-        """What the mutant changes, in one line."""
+        """Describes the change in one line."""
         original = " ".join(self.original.split())
         if self.kind == "statement":
             return f"remove {original}"

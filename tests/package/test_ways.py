@@ -13,7 +13,7 @@ import pytest
 
 from compilers import BARE, HERE, HOSTS, PREFIX, ROOT, STRICT, blocks, generate, run
 
-# What the library itself consists of. There is no generator, so the build cannot run Python.
+# The sources of the library itself. There is no generator, so the build cannot run Python.
 SOURCES = ("CMakeLists.txt", "LICENSE", "runtime", "emulator", "generated/include")
 HEAD = "cmake_minimum_required(VERSION 3.25)\nproject(app LANGUAGES CXX)\nadd_executable(app app.cpp)\n"
 # A subproject must not bring along its tests, its tools and the generator.

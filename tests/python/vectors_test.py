@@ -48,7 +48,7 @@ def vectors() -> list[Any]:
 
 
 def known_before(vector: Any) -> Contexts:
-    """What a message before that of the vector tells."""
+    """Returns the contexts that the messages before that of the vector provide."""
     contexts = Contexts()
     for earlier in vector.get("after", []):
         body = bytes.fromhex(earlier["hex"])

@@ -1,4 +1,4 @@
-"""What needs matplotlib and pandas; `./dev test python --long` runs it."""
+"""Tests that need matplotlib and pandas; `./dev test python --long` runs them."""
 
 from __future__ import annotations
 

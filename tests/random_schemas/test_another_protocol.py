@@ -119,7 +119,7 @@ def test_bodies_may_be_short(tmp_path: Path, size: int) -> None:
 
 
 def test_examples_with_a_part_that_has_a_unit_compile(tmp_path: Path) -> None:
-    """As the pages of the site show them."""
+    """The examples are those that the pages of the site show."""
     fields = "[{name: HEAD, type: Head, typical: 300, summary: The head.}]"
     more = f"""
   LAMP_POSE:

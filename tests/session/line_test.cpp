@@ -329,7 +329,7 @@ class Sampled : public ::testing::Test {
     request.flags.set(what);
     return line.send(request, {.host = host, .attempts = 1});
   }
-  /// What the frames of the board were.
+  /// Returns the samples that the board's frames were.
   std::vector<Sample> samples() const {
     std::vector<Sample> result;
     for (const Record& record : line.events) {

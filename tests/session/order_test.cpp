@@ -201,7 +201,7 @@ TEST(ControlRate, ALineThatWasIdleIsNotLate) {
   EXPECT_EQ(send_two(3), pause);
 }
 
-/// What a board does because of the last request that it got.
+/// The effect of a request on a board.
 enum class Motion : std::uint8_t { unknown, on, off, turning, still };
 
 Motion motion_of(const Written& frame) {

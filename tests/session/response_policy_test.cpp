@@ -63,7 +63,7 @@ TEST(ResponsePolicy, AreThoseOfTheSpecification) {
       return;
     }
     EXPECT_EQ(policy.responses.command, id);
-    // What it is answered with cannot be told from samples of a stream.
+    // Its answer cannot be distinguished from samples of a stream.
     if (std::same_as<M, msg::DebugVars3RequestSelected>) return;
     EXPECT_EQ(policy.response_required, answer != answers.end()) << id;
     EXPECT_EQ(policy.responses.form_count != 0, answer != answers.end()) << id;

@@ -298,7 +298,7 @@ const client = path.join(root, "build/wasm/web/modules/sbgc_passive_client.wasm"
 
 test("the client without threads and its program for this machine agree on every byte", async () => {
   const { call: callClient, needed } = await startModule(fs.readFileSync(client));
-  // What the C library wants for messages before it ends the program: no clock, no random numbers.
+  // The C library needs these for messages before it ends the program: no clock, no random numbers.
   for (const name of needed) assert.match(name, /^(fd_(close|seek|write|fdstat_get)|proc_exit)$/);
   const lines = callClient("run").split("\n");
 

@@ -1,4 +1,4 @@
-// What the search of the site finds, without a browser.
+// Tests the results of the site's search, without a browser.
 
 import assert from "node:assert/strict";
 import fs from "node:fs";

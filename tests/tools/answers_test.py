@@ -1,4 +1,4 @@
-"""What commands answer, as answers/*.txt list it: `STATUS COMMAND => WORDS`, a line each.
+"""Tests the output of commands against answers/*.txt: lines of the form `STATUS COMMAND => WORDS`.
 
 The words stand in the output, without its breaks of lines, and at its begin if they begin with `sbgc:`; without
 words, there is no output. `…` is any text, `#` a number with words around it. `<<<` is the input, as Python writes

@@ -67,7 +67,7 @@ class Terminal:
         os.write(self.screen, keys)
 
     def hold(self, keys: tuple[bytes, ...], is_done: Callable[[], bool]) -> None:
-        """As a held key repeats."""
+        """Repeats the key as if it were held."""
         deadline = time.monotonic() + 30
         while not is_done():
             assert time.monotonic() < deadline, self.shown

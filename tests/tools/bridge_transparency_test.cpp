@@ -56,7 +56,7 @@ class Site {
   virtual ~Site() = default;
 
   virtual void send(const Bytes& bytes) = 0;
-  /// What the host has received since the last call.
+  /// Returns the bytes that the host has received since the last call.
   virtual Bytes received() = 0;
 
   Instant now() const { return clock; }
@@ -124,9 +124,9 @@ class BridgedSite final : public Site, private BridgeLine {
   void send_from_other(const Bytes& bytes) { hosts_[1].to_bridge = bytes; }
   Bytes received() override { return take_from(hosts_[0].port); }
   Bytes overheard() { return take_from(hosts_[1].port); }
-  /// How often the line was opened again.
+  /// Returns how often the line was opened again.
   int reopened() const { return reopened_; }
-  /// From now on, the line delays what the board sends differently, up to this.
+  /// Delays the board's bytes by varying times, up to this, from now on.
   void delay_up_to(Duration longest) { longest_delay_ = longest; }
 
  private:

@@ -150,7 +150,7 @@ BAD_SUM = GET_ANGLES[:-1] + b"\x01"
 
 
 def test_what_is_nearly_a_frame_is_explained() -> None:
-    """As answers/frames.txt says. JSON lines contain only frames."""
+    """answers/frames.txt lists the explanations. JSON lines contain only frames."""
     for noise in (b"", b"\x00\x3e\x01\x00"):
         text = run("decode", stdin=noise + BAD_SUM)
         (line, *_) = [line for line in text.text.splitlines() if line.startswith("    @")]

@@ -22,7 +22,7 @@ def words_of(text: str) -> str:
 
 
 def entries(page: str, name: str) -> list[str]:
-    """What is in the column after the name of a fact of a message."""
+    """The texts in the column after the name of a fact of a message."""
     return [
         line.split(maxsplit=1)[1] for line in page.splitlines() if line.startswith(f"  {name} ")
     ]
@@ -62,7 +62,7 @@ def test_all_parameters_of_a_profile_are_not_general() -> None:
 
 
 def test_fields_and_variables_say_which_way_they_count() -> None:
-    """As the exported model does."""
+    """They agree with the exported model."""
     assert "positive" not in described("follow_speed")
     for variable in MODEL["adjustable_variables"]:
         page = words_of(described(variable["name"]))

@@ -77,7 +77,7 @@ def test_it_only_reads(shaking: EmulatedGimbal) -> None:
     }
 
 
-# What polls measure depends on how fast the machine answers; tests/doctor tests it in virtual
+# The results of polling depend on the speed of the machine; tests/doctor tests them in virtual
 # time.
 
 

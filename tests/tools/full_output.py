@@ -12,7 +12,7 @@ KINDS = ("pipe", "unread terminal", "stopped terminal", "terminal stopped later"
 
 
 class Output:
-    """What a program writes to, and the other end of it."""
+    """The output of a program, and the other end of it."""
 
     def __init__(self, kind: str) -> None:
         self.kind = kind
@@ -36,7 +36,7 @@ class Output:
         termios.tcflow(self.descriptor, termios.TCOOFF)  # as Ctrl-S does
 
     def lose_reader(self) -> None:
-        """From now on, writes fail."""
+        """Lets writes fail from now on."""
         nothing = os.open(os.devnull, os.O_RDONLY)
         os.dup2(nothing, self.reader)
         os.close(nothing)

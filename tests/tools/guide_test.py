@@ -1,4 +1,4 @@
-"""What the guides say of the command: the tasks of one send the messages that it lists beside them, and the
+"""Tests what the guides say about the command: the tasks of one send the messages that it lists, and the
 table of a recording is what the recipes of another expect; recipes.py runs them."""
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ def recipe(language: str) -> str:
 
 @pytest.fixture(name="folder", scope="module")
 def fixture_folder(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
-    """Where the commands of the guide have run, for a second instead of a minute."""
+    """A folder where the commands of the guide have run, for a second instead of a minute."""
     folder = tmp_path_factory.mktemp("recipes")
     (folder / "sbgc").symlink_to(Path(PROGRAM).resolve())
     commands = re.findall(r"^\$ (sbgc (?:record|decode) .*)$", GUIDE, re.MULTILINE)

@@ -35,7 +35,7 @@ OTHERS = {
     *("SBGC_CONFIG", "SBGC_PORTS", "SBGC_TOKEN", "NO_COLOR"),
     *("MENU_CMD_", "FLAG_A", "FLAG_B", "MiB", "NaN", "SimpleBGC", "WebSocket", "WebSockets"),
 }
-"""What looks like a name of the protocol in the help, but is none."""
+"""Words in the help that look like names of the protocol, but are not."""
 
 NAME = re.compile(r"\b(?:[A-Z][A-Z0-9]*_[A-Z0-9_]*|[a-z]+(?:_[a-z0-9]+)+|[A-Z][a-z]+[A-Z0-9]\w*)")
 
@@ -156,7 +156,7 @@ def test_examples_work(folder: Path, example: str) -> None:
         **os.environ,
         "HOME": str(folder),
         "PATH": f"{folder}:{os.environ['PATH']}",
-        # Which loads firmware into modules, but does not tune.
+        # The newest board loads firmware into modules, but does not tune.
         "SBGC_PORTS": str(folder / f"{'newest' if ' module ' in example else 'ports'}.json"),
     }
     needs = INTERACTIVE.get(example.split()[1])

@@ -30,7 +30,7 @@ HOSTILE = {
     or unicodedata.bidirectional(c) in DIRECTIONS
     or c in MARKS | {"\ufffe", "\uffff"}
 }
-"""What a terminal obeys instead of showing it, according to Unicode, and what XML does not allow."""
+"""Characters that a terminal obeys instead of showing, according to Unicode, or that XML forbids."""
 
 STRAY = [bytes([byte]) for byte in range(0x80, 0x100)]
 """Bytes that are not UTF-8; terminals of 8 bits obey the first 32 of them."""

@@ -181,7 +181,7 @@ def test_a_pipe_is_no_configuration(tmp_path: Path, monkeypatch: pytest.MonkeyPa
 def test_files_do_not_control_the_terminal(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, character: str
 ) -> None:
-    """What a file names appears in errors and lists."""
+    """Names from a file appear in errors and lists."""
     monkeypatch.setenv("SBGC_CONFIG", str(tmp_path / "config.toml"))
     name = "".join(f"\\u{ord(one):04x}" for one in character)
     (tmp_path / "config.toml").write_text(f'[gimbal.front]\n"{name}" = "x"\n', "utf-8")

@@ -34,7 +34,7 @@ using std::chrono::milliseconds;
 constexpr milliseconds as_a_person{600};
 constexpr const char* left = "\nsbgc: ended before it was done: a thing is left\n";
 
-/// How a process ended, and what it wrote to standard error.
+/// The end of a process: its status, and its standard error.
 struct End {
   int status{};  // of waitpid()
   std::string text{};

@@ -20,7 +20,7 @@ EVERYWHERE = "00000000"
 
 
 def places_of(process: int) -> set[str]:
-    """Where the process listens: the local addresses of its listening TCP and unconnected UDP sockets."""
+    """The local addresses of the process's listening TCP and unconnected UDP sockets."""
     sockets = set()
     for descriptor in Path(f"/proc/{process}/fd").iterdir():
         target = os.readlink(descriptor)

@@ -26,7 +26,7 @@ START, WRITE = 78, 81
 
 
 class Line:
-    """What hosts send to the board, and one fault."""
+    """The traffic from hosts to the board, with one fault."""
 
     def __init__(self) -> None:
         self.changed = threading.Condition()
@@ -78,7 +78,7 @@ def test_no_part_is_repeated_or_skipped(gimbal: EmulatedGimbal, tmp_path: Path) 
         for number in range(RUNS):
             line.parts = []
             line.at = numbers.randint(1, PARTS)
-            # What is lost costs the time to wait for it.
+            # Each lost frame costs a timeout.
             line.fault = "" if number % 4 else faults[number // 4 % 3]
             if not line.fault:
                 with subprocess.Popen([PROGRAM, *flash, "--yes"], stderr=subprocess.DEVNULL) as one:

@@ -1,4 +1,4 @@
-"""Where a camera looks, computed from the angles of its motors alone.
+"""The direction of a camera, computed only from the angles of its motors.
 
 A motor with a positive angle turns what it carries: pitch with the front down, yaw to the right, roll
 with the right side down. The motor of yaw carries that of roll, which carries that of pitch.

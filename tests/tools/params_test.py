@@ -234,7 +234,7 @@ def test_ctrl_c_in_the_middle_of_a_restore(tmp_path: Path) -> None:
         said = said_states(ended.error)
         assert said["ReadParams3 of profile 1"] == "new values, verified"
         assert said["ReadParams3 of profile 5"] == "old values, not written"
-        # What it says is what the board holds.
+        # The reported states agree with the board's.
         gains = {"new values, verified": 77, "old values, not written": 12}
         for profile in range(5):
             expected = gains[said[f"ReadParams3 of profile {profile + 1}"]]

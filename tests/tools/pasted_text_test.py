@@ -222,7 +222,7 @@ def test_labels(front: str, direction: str | None) -> None:
 
 
 def octal(data: bytes) -> str:
-    """As strace writes it: the shortest octal escapes."""
+    """Formats bytes as strace does: with the shortest octal escapes."""
     text = re.sub(
         r"[\x00-\x1f\x7f-\xff\"\\]", lambda c: f"\\{ord(c[0]):o}\0", data.decode("latin-1")
     )

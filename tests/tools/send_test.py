@@ -86,7 +86,7 @@ def test_what_reads_needs_no_confirmation_and_what_moves_does(board: str) -> Non
 
 
 def motors(board: str) -> int:
-    """Whether the motors are on, according to the live data."""
+    """Returns whether the motors are on, according to the live data."""
     line = run("send", "RealtimeData4Request", "--format", "jsonl", "-p", board).objects[0]
     return line["fields"]["other_flags"] & 1
 

@@ -67,7 +67,7 @@ def hosts_at(line: Line, count: int) -> Iterator[list[Host]]:
 
 
 def received(host: Host, seconds: float = 0.3) -> list[tuple[int, bytes]]:
-    """What has arrived, or arrives in this time."""
+    """Returns the frames that have arrived, or arrive in this time."""
     host.socket.settimeout(seconds)
     frames = []
     try:

@@ -72,7 +72,7 @@ class LosingLine : public test::VirtualLine {
 
 using Loss = LosingLine::Loss;
 
-/// What a command has done.
+/// The effects of a command.
 struct Done {
   std::set<unsigned> executed{};  ///< ids of requests that do something
   emulator::Memory memory{};

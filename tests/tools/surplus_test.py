@@ -33,7 +33,7 @@ def encoded(lines: list[Any]) -> bytes:
 
 @pytest.mark.parametrize("command", sorted(FORMS))
 def test_every_request_at_every_size(command: str) -> None:
-    """As the model says, for the newest firmware; what decodes encodes to the same bytes."""
+    """The newest form decodes as in the model, and decoded bodies encode to the same bytes."""
     forms = FORMS[command]
     largest = max(forms, key=lambda form: form["max_size"])
     frames = [frame(largest["id"], bytes(size)) for size in range(256)]

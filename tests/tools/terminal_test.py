@@ -115,7 +115,7 @@ def test_frames_above_the_progress() -> None:
             assert process.wait(20) == 0
         os.close(keyboard)
     assert b"turning for" in written and b"CMD_CONTROL (67)  host to board" in written
-    # What remains of each line after the cursor has gone back to its begin.
+    # The rest of each line after the cursor has returned to its start.
     lines = [line.rstrip(b"\r").rsplit(b"\r", 1)[-1] for line in written.split(b"\n")]
     assert [line for line in lines if b"turning for" in line] == []
 

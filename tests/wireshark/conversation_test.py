@@ -1,4 +1,4 @@
-"""What the dissector knows of a conversation: requests, contexts, values that are not as they should be."""
+"""Tests the dissector's tracking of conversations: requests, contexts, values out of range."""
 
 from __future__ import annotations
 

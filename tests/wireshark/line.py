@@ -56,7 +56,7 @@ class Shown:
 
 
 def shown(file: Path, *options: str, dissector: Path = DISSECTOR) -> Iterator[Shown]:
-    """What tshark shows of each frame, in order."""
+    """Yields the fields that tshark shows of each frame, in order."""
     out = tshark(file, "-T", "pdml", *options, dissector=dissector)
     for number, packet in enumerate(xml.fromstring(out), 1):
         for proto in packet.iter("proto"):

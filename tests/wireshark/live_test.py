@@ -113,7 +113,7 @@ def test_wireshark_lists_gimbals_and_captures_from_them(tmp_path: Path) -> None:
 
 
 def test_the_dissector_is_registered_without_any_setup(tmp_path: Path) -> None:
-    """As a plugin in the folder of a user, without an option or a preference."""
+    """The dissector is a plugin in the user's folder, without an option or a preference."""
     plugins = tmp_path / ".local/lib/wireshark/plugins"
     plugins.mkdir(parents=True)
     shutil.copy(DISSECTOR, plugins)

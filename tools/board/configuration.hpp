@@ -36,7 +36,7 @@ std::filesystem::path configuration_file();
 /// the file cannot be read or is invalid.
 std::vector<NamedGimbal> named_gimbals();
 
-/// Reads the keys of [gimbal.NAME]. A password file counts from this folder. Others may read
+/// Reads the keys of [gimbal.NAME]. A password file is relative to this folder. Callers may read
 /// further keys before SectionReader::finish().
 NamedGimbal read_gimbal(SectionReader& section, const std::string& name,
                         const std::filesystem::path& folder);

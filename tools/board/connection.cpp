@@ -74,7 +74,7 @@ Wrap with_frame_printer(Wrap inner) {
   };
 }
 
-/// The search for gimbals on all serial ports takes no longer than this, unless told otherwise.
+/// The search for gimbals on all serial ports takes no longer than this by default.
 constexpr std::chrono::milliseconds search_time{5'000};
 
 struct Probe {
@@ -88,8 +88,8 @@ Result<BoardIdentity> probe(const std::string& port, const ConnectOptions& optio
   return client->identity();
 }
 
-/// Asks all ports at the same time. A port of an adapter is more likely than one that is built in,
-/// so if there are adapters, only they are asked.
+/// Probes all ports at the same time. A gimbal is likelier on an adapter than on a built-in port,
+/// so if there are adapters, only these are probed.
 std::vector<Probe> probe_all(const std::vector<io::PortInfo>& ports, ConnectOptions options) {
   const bool has_usb =
       std::ranges::any_of(ports, [](const io::PortInfo& port) { return port.usb.has_value(); });
@@ -117,11 +117,11 @@ std::vector<Probe> probe_all(const std::vector<io::PortInfo>& ports, ConnectOpti
   return probes;
 }
 
-/// Returns why there is no gimbal, on a line for each cause: "  PORT, PORT  no board found".
+/// Returns why no gimbal was found, with a line for each cause: "  PORT, PORT  no board found".
 std::string causes_of(const std::vector<Probe>& probes) {
   std::vector<std::pair<std::string, std::string>> ports_by_cause;
   for (const Probe& one : probes) {
-    // Details are for `--port`, and the port stands before the cause.
+    // Details are only for `--port`, and the port precedes the cause.
     std::string cause = one.board.error().message;
     cause = cause.substr(0, std::min({cause.find_first_of(":\n,"), cause.find(". ")}));
     for (const std::string& name :
@@ -230,7 +230,7 @@ ConnectOptions connect_options(const GimbalOptions& options) {
   if (options.attempts) result.retries = *options.attempts - 1;
   if (options.attempt_timeout) result.attempt_timeout = *options.attempt_timeout;
   if (!options.password_file.empty()) {
-    // Otherwise every device on this machine would get it.
+    // Otherwise every device on this machine would receive the password.
     if (options.port.empty()) {
       throw CommandError("--password-file needs --port or --gimbal", wrong_usage);
     }
@@ -265,7 +265,7 @@ Client connect_for_long(const GimbalOptions& options,
   reconnect.connection = line.options;
   reconnect.list_ports = listed_ports;
   auto client = Client::connect(line.address, reconnect);
-  // A recorded board responds when it did, perhaps just before the request.
+  // A recorded board responds at the recorded time, perhaps just before the request.
   for (int more = 4; !client && more > 0 && is_replay(options); --more) {
     client = Client::connect(line.address, reconnect);
   }

@@ -1,4 +1,4 @@
-/// Connecting to the gimbal that the options name, once or again and again.
+/// Connecting to the gimbal that the options name, with or without reconnection.
 #pragma once
 
 #include <functional>
@@ -23,10 +23,10 @@ GimbalOptions with_configuration(const GimbalOptions& options);
 /// Returns the options of the library, without `wrap`.
 ConnectOptions connect_options(const GimbalOptions& options);
 
-/// Says that a capture holds the password.
+/// Warns that a capture contains the password.
 void warn_of_password_in(const std::string& capture);
 
-/// Returns the options of a call that takes a timeout of its own.
+/// Returns the options of a call that has its own timeout.
 CallOptions call_options(const GimbalOptions& options);
 
 /// Returns a transport to use in place of the one that was opened.
@@ -38,20 +38,20 @@ struct LineChoice {
   ConnectOptions options{};
 };
 
-/// Throws CommandError if the address is malformed, which is wrong usage.
+/// Throws CommandError if the address is malformed, which is a usage error.
 void require_address(const std::string& address);
 
 /// Returns the address of the options, or of the only gimbal found, and the options of the library,
-/// with the printing of frames if that is wanted. `wrap` is applied to the transport first. Throws
+/// with printing of frames if requested. `wrap` is applied to the transport first. Throws
 /// CommandError; if several gimbals are found, the message lists them.
 LineChoice choose_line(const GimbalOptions& given, Wrap wrap = {});
 
 /// Connects to the gimbal. Throws CommandError.
 Client connect(const GimbalOptions& options, Wrap wrap = {});
 
-/// The variable in which `sbgc shell` tells its commands of the line behind their own.
+/// The variable with which `sbgc shell` passes the line to the gimbal to its commands.
 inline constexpr const char* shell_line_variable = "SBGC_SHELL_LINE";
-/// Describes the line to the gimbal; `own` describes that of this command.
+/// Describes the line to the gimbal; `own` describes the line of this command.
 std::string line_to_gimbal(const std::string& own);
 
 /// Ends the command with the message of the error, and with the status `interrupted` or
@@ -68,8 +68,8 @@ inline void value_of(const Result<void>& result) {
   if (!result) fail(result.error());
 }
 
-/// Throws CommandError if the board lacks the command, or, if `validate`, does not allow a value,
-/// as Client::call() finds without sending anything.
+/// Throws CommandError if the board lacks the command, or, if `validate`, does not allow a value.
+/// Like Client::call(), but sends nothing.
 template <Message M>
 void require_possible(const Client& client, const M& request, bool validate = true) {
   value_of(detail::prepare(request, client.identity().versions(), validate));
@@ -80,7 +80,7 @@ inline void require_possible(const Client& client, const AnyMessage& request,
   value_of(detail::prepare(request, client.identity().versions(), validate));
 }
 
-/// Connects to the gimbal like connect(), but to a client that connects again by itself. `adjust`
+/// Connects to the gimbal like connect(), but to a client that reconnects by itself. `adjust`
 /// changes the options of the library. Throws CommandError.
 Client connect_for_long(const GimbalOptions& options,
                         const std::function<void(ConnectOptions&)>& adjust = {});
@@ -88,7 +88,7 @@ Client connect_for_long(const GimbalOptions& options,
 /// True if the address is that of a capture, which ends but is never lost.
 bool is_replay(const GimbalOptions& options);
 
-/// Writes a line on standard error for each change of the connection, as long as the result lives.
+/// Writes a line to standard error for each change of the connection while the result exists.
 Subscription report_changes(Client& client);
 
 }  // namespace sbgc::tools

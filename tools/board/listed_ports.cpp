@@ -17,7 +17,7 @@ namespace sbgc::tools {
 namespace {
 
 constexpr std::size_t largest_list = 1 << 20;
-/// More than any machine has; each is opened at the same time.
+/// More than any machine has; all are opened at the same time.
 constexpr std::size_t most_ports = 128;
 constexpr const char* format_name = "sbgc-ports";
 constexpr int format_version = 1;
@@ -26,7 +26,7 @@ io::PortList failed(const std::string& reason) {
   return {{}, {std::make_error_code(std::errc::invalid_argument), reason + "."}};
 }
 
-/// Throws Json::exception, or std::out_of_range for a number that is no USB id.
+/// Throws Json::exception, or std::out_of_range for a number that is not a USB id.
 std::uint16_t usb_id(const Json& json) {
   const auto& number = json.get_ref<const Json::number_unsigned_t&>();
   if (number > 0xFFFF) throw std::out_of_range("not a USB id");

@@ -1,4 +1,4 @@
-/// The serial ports of this machine, or those of a list that takes their place.
+/// The serial ports of this machine, or those of a list that replaces them.
 #pragma once
 
 #include <vector>
@@ -13,7 +13,7 @@ namespace sbgc::tools {
 /// not list, and for tests.
 io::PortList listed_ports();
 
-/// Returns what `sbgc ports --format json` prints.
+/// Returns the output of `sbgc ports --format json`.
 Json ports_json(const std::vector<io::PortInfo>& ports);
 
 }  // namespace sbgc::tools

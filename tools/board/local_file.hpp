@@ -1,4 +1,4 @@
-/// Files on this computer that memory is copied from and to.
+/// Local files, the sources and destinations of memory transfers.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@ namespace sbgc::tools {
 /// Throws CommandError if the file exists and must not be replaced, or is "-".
 void check_replaceable(const std::string& file, bool force);
 
-/// Throws CommandError if it can be told that write_local_file() will fail.
+/// Throws CommandError if it is foreseeable that write_local_file() will fail.
 void check_writable(const std::string& file, bool force);
 
 /// Writes a file atomically. Throws CommandError.

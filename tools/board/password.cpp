@@ -29,11 +29,11 @@ namespace {
 
 using Password = decltype(msg::PassProtectWrite::new_password);
 
-/// A password and the end of its line.
+/// The size of a password with a line ending.
 constexpr std::size_t longest_file = 34;
 static_assert(longest_file == Password::capacity() + 2);
 
-/// Removes the end of the line; throws CommandError if the rest cannot be a password.
+/// Removes the line ending; throws CommandError if the rest cannot be a password.
 std::string checked(std::string text, const std::string& from) {
   if (!text.empty() && text.back() == '\n') text.pop_back();
   if (!text.empty() && text.back() == '\r') text.pop_back();
@@ -66,8 +66,8 @@ std::string read_file(const std::string& name) {
   return checked({bytes.data(), size}, name);
 }
 
-/// A terminal that does not show what is typed. Signals that would end the program meanwhile wait
-/// until its destructor, so that the terminal does not stay so.
+/// Turns off the echo of a terminal. Signals that would end the program are deferred until its
+/// destructor, so that the echo is restored.
 class WithoutEcho {
  public:
   WithoutEcho() {
@@ -86,7 +86,7 @@ class WithoutEcho {
     pthread_sigmask(SIG_SETMASK, &usual_signals_, nullptr);
   }
 
-  /// True if a signal waits.
+  /// True if a signal is pending.
   bool is_interrupted() const {
     sigset_t pending{};
     sigpending(&pending);

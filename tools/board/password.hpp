@@ -5,9 +5,9 @@
 
 namespace sbgc::tools {
 
-/// Returns the password in a file that only its owner can access, or with "-", asks for it on the
-/// terminal, without an echo. `whose` completes the question "Password of ...". Throws
-/// CommandError, which tells nothing of the password.
+/// Returns the password from a file that only its owner can access, or with "-", prompts for it on
+/// the terminal, without an echo. `whose` completes the prompt "Password of ...". Throws
+/// CommandError, which reveals nothing of the password.
 std::string read_password(const std::string& file, const std::string& whose);
 
 }  // namespace sbgc::tools

@@ -10,10 +10,10 @@
 namespace sbgc::tools {
 
 /// Draws one line that changes, if standard error is a terminal; otherwise nothing. Remarks go
-/// above it. One at a time.
+/// above it. Only one may exist at a time.
 class ProgressBar {
  public:
-  /// `unit` of the counts, such as "bytes"; "" shows the step instead.
+  /// `unit` is the unit of the counts, such as "bytes"; "" shows the step instead.
   explicit ProgressBar(std::string unit = "");
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;

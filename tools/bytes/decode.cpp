@@ -54,7 +54,7 @@ struct DecodeOptions {
   bool raw = false;
 };
 
-/// The part of a capture to show, in the time since its start.
+/// The part of a capture to show, in time since its start.
 struct TimeRange {
   std::chrono::microseconds from = std::chrono::microseconds::min();
   std::chrono::microseconds to = std::chrono::microseconds::max();
@@ -62,7 +62,7 @@ struct TimeRange {
   bool has(std::chrono::microseconds time) const { return time >= from && time <= to; }
 };
 
-/// The meaning of the options.
+/// The evaluated options.
 struct DecodePlan {
   std::optional<Direction> direction{};
   TimeRange times{};
@@ -85,7 +85,7 @@ std::optional<Direction> parse_side(const std::string& text) {
   return std::nullopt;
 }
 
-/// Throws CommandError.
+/// Evaluates the options. Throws CommandError.
 DecodePlan plan_of(const DecodeOptions& options) {
   DecodePlan plan;
   bool has_side = false;
@@ -115,7 +115,7 @@ DecodePlan plan_of(const DecodeOptions& options) {
                        wrong_usage);
   }
   if (!options.firmware.empty()) {
-    // Any board: which features it has is not known.
+    // Any board: its features are not known.
     plan.output.versions = Availability{parse_firmware(options.firmware)->raw(), 0xFF};
   }
   try {
@@ -127,7 +127,7 @@ DecodePlan plan_of(const DecodeOptions& options) {
   return plan;
 }
 
-/// Throws CommandError for times, which bytes alone do not have.
+/// Throws CommandError for times, which plain bytes do not have.
 void reject_times(const DecodePlan& plan) {
   if (plan.has_times) {
     throw CommandError("only a capture has times: omit --to and the time of --from", wrong_usage);
@@ -138,9 +138,9 @@ std::string to_text(const RejectedCandidate& candidate) {
   return fmt::format("    @{}: {}\n", candidate.offset, candidate.text);
 }
 
-/// Reports input without a frame, with a guess what it is. `reading`: how it was read, if it is
-/// text, whose bytes no baud rate has changed. `is_meant`: it probably has frames, whose damage is
-/// explained unless `shows_gaps` has done it.
+/// Reports input without a frame, with a guess at its format. `reading` describes how text was
+/// read, whose bytes no baud rate has changed. `is_meant`: it probably contains frames, whose
+/// damage is explained unless `shows_gaps` has already done so.
 [[nodiscard]] int no_frame(std::uint64_t size, const std::string& reading, std::string guess,
                            bool is_meant, bool shows_gaps,
                            std::span<const RejectedCandidate> rejected) {
@@ -158,7 +158,7 @@ std::string to_text(const RejectedCandidate& candidate) {
   return failure;
 }
 
-/// Reports frames none of which can be decoded. JSON lines say so themselves.
+/// Reports that none of the frames can be decoded. JSON lines already show it.
 [[nodiscard]] int unreadable(std::uint64_t frames) {
   remark_failure(fmt::format("{} with sound checksums, but {} its command",
                              counted(frames, "frame"),
@@ -191,12 +191,12 @@ std::uint64_t end_of(const Frame& frame) {
 /// Decodes a raw byte stream.
 class RawDecoder {
  public:
-  /// `text`: what the bytes come from, if it is text.
+  /// `text` is the source of the bytes, if they come from text.
   RawDecoder(const DecodePlan& plan, PastedText* text, StandardOutput& out)
       : out_(out),
         text_(text),
         direction_(plan.direction),
-        // Gaps belong to no frame that a filter could choose.
+        // Gaps belong to no frame that a filter could select.
         shows_gaps_(plan.output.format == OutputFormat::text && plan.output.filter.is_empty()),
         is_for_people_(plan.output.format != OutputFormat::jsonl),
         output_(plan.output, out),
@@ -249,7 +249,7 @@ class RawDecoder {
   /// Without gaps in the output, they matter only until the first frame.
   bool explains_gaps() const { return shows_gaps_ || parser_.counters().frames == 0; }
 
-  /// Shows what programs leave of frames: no start byte, perhaps no checksum behind the body.
+  /// Shows truncated frames: without a start byte, and perhaps without a checksum.
   void print_bare_frames() {
     if (parser_.counters().frames != 0 || size_ != begin_.size()) return;
     const std::vector<BareFrame> found = bare_frames(begin_);
@@ -306,7 +306,7 @@ class RawDecoder {
 };
 
 /// Formats a time after 1970 for any year: those of a time_t can end in 2038, and those of
-/// std::chrono do in 32767. The calendar repeats itself after 400 years.
+/// std::chrono in 32767. The calendar repeats after 400 years.
 std::string utc_text(std::chrono::sys_seconds time) {
   constexpr std::chrono::days cycle{146'097};
   const auto cycles = time.time_since_epoch() / cycle;
@@ -437,7 +437,7 @@ std::vector<std::uint8_t> read_begin(Input& input) {
 
 constexpr const char* awaited = "bytes, such as a log or hex text";
 
-/// Opens the file, or takes the arguments as the bytes themselves. Throws InputError or
+/// Opens the file, or interprets the arguments as the bytes themselves. Throws InputError or
 /// CommandError.
 Input input_of(const DecodeOptions& options) {
   if (options.input.empty()) return {"-", awaited};
@@ -462,8 +462,8 @@ template <class Decoder>
                    (is_text ? "" : "; for raw bytes, use --raw and not --hex"));
 }
 
-/// Returns how to read the text. Throws InputError if that is not clear, unless it is `said` to be
-/// hex.
+/// Returns how to read the text. Throws InputError if that is ambiguous, unless `is_said` states
+/// that it is hex.
 Reading reading_of(std::span<const std::uint8_t> begin, bool is_said) {
   const ReadingChoice choice = choose_reading(begin);
   if (choice.other && !is_said) {
@@ -484,7 +484,7 @@ int decode_bytes(Input& input, std::span<const std::uint8_t> begin, Decoder&& de
   return decoder.finish();
 }
 
-/// Decodes the bytes that `text` stands for.
+/// Decodes the bytes that `text` represents.
 template <class Decoder>
 int decode_text(Input& input, std::span<const std::uint8_t> begin, PastedText& text,
                 Decoder&& decoder, StandardOutput& out) {
@@ -504,7 +504,7 @@ int decode_text(Input& input, std::span<const std::uint8_t> begin, PastedText& t
   return decoder.finish();
 }
 
-/// Throws CommandError for options that choose or describe frames: a file for Wireshark has all
+/// Throws CommandError for options that select or describe frames: a file for Wireshark has all
 /// bytes.
 void reject_options_of_frames(const DecodeOptions& options) {
   const std::pair<bool, const char*> given[] = {

@@ -62,8 +62,8 @@ const char* to_text(emulator::Reaction reaction) {
   return "?";
 }
 
-/// For example "    1.2340  host 0 > CMD_BOARD_INFO (86), 0 bytes  executed", with `>` for
-/// frames to the board and `<` for frames from it.
+/// Returns, for example, "    1.2340  host 0 > CMD_BOARD_INFO (86), 0 bytes  executed", with `>`
+/// for frames to the board and `<` for frames from it.
 std::string describe_frame(const emulator::Board::Traffic& traffic) {
   const Direction direction = traffic.reaction ? Direction::to_board : Direction::from_board;
   const Frame& frame = traffic.frame;
@@ -76,7 +76,7 @@ std::string describe_frame(const emulator::Board::Traffic& traffic) {
   return result;
 }
 
-/// Raises the file limit: each pseudo-terminal needs two files, each host one.
+/// Raises the limit of open files: each pseudo-terminal needs two, each host one.
 void allow_many_files() {
   rlimit limit{};
   if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return;
@@ -92,7 +92,7 @@ int serve(const EmulateOptions& options) {
   };
   serving::ServiceLogs logs;
   logs.endpoint = to_stdout;
-  // The standard output carries the bytes of the host.
+  // Standard output carries the bytes for the host.
   if (options.service.stdio) logs.endpoint = to_stderr;
   logs.warning = [](const std::string& text) { remark("sbgc: {}\n", text); };
   if (options.verbose) {

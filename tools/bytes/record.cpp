@@ -48,11 +48,11 @@ namespace sbgc::tools {
 
 namespace {
 
-/// A signal or the time for a recording, as one descriptor: who waits for the reader of a capture
-/// must notice either.
+/// Combines a signal and the duration of a recording in one descriptor: a wait for the reader of a
+/// capture must notice both.
 class RecordingEnd {
  public:
-  /// A reader who does not even take the beginning may have the time, too.
+  /// Also applies to a reader who does not even read the beginning.
   explicit RecordingEnd(std::optional<std::chrono::milliseconds> time)
       : time_(time),
         timer_(::timerfd_create(CLOCK_MONOTONIC, TFD_CLOEXEC)),
@@ -61,7 +61,7 @@ class RecordingEnd {
     set_timer();
   }
 
-  /// From now on, signals ask for the end. The time begins again.
+  /// From now on, signals request the end. The duration starts again.
   void begin() {
     interruption_.emplace();
     add(interruption_descriptor());
@@ -70,7 +70,7 @@ class RecordingEnd {
 
   /// Becomes readable at the end.
   int descriptor() const noexcept { return any_.get(); }
-  /// Waits for the end, or for a moment. Returns true if it has come.
+  /// Waits for the end, for a moment at most. Returns true if it has come.
   bool comes_soon() const {
     constexpr int moment = 50;  // ms
     pollfd waiting{any_.get(), POLLIN, 0};
@@ -191,7 +191,7 @@ int record_line(const RecordOptions& options) {
   return success;
 }
 
-/// Starts a stream that is asked for.
+/// Starts a requested stream.
 using StreamStart = std::function<Result<Subscription>(Client& client)>;
 
 /// Reads "NAME", "NAME:WITH", or for bytes "NUMBER" and "NUMBER:HEX".
@@ -273,7 +273,7 @@ int record_board(const RecordOptions& options, const CommandContext& context) {
         return record(wrap ? wrap(std::move(transport)) : std::move(transport));
       };
     });
-    end.begin();  // not before: the first Ctrl-C ends the connecting
+    end.begin();  // not earlier: the first Ctrl-C ends the connection attempt
     const Subscription changes = report_changes(client);
     std::vector<Subscription> running;
     running.reserve(streams.size());
@@ -281,7 +281,7 @@ int record_board(const RecordOptions& options, const CommandContext& context) {
     if (!to_stdout) fmt::print("{}\n", printable(line_to_gimbal(client.description())));
     std::fflush(stdout);
     while (!has_failed() && client.state() != LinkState::given_up && !end.comes_soon()) continue;
-  }  // until here, a write may fail
+  }  // before this, a write may fail
   if (!to_stdout) {
     fmt::print("{} recorded in {}\n", counted(total, "byte"), printable(options.file));
   }
@@ -289,7 +289,7 @@ int record_board(const RecordOptions& options, const CommandContext& context) {
   return success;
 }
 
-/// Throws CommandError for options that have no effect while a line is only listened to.
+/// Throws CommandError for options that have no effect while only listening.
 void reject_options_of_a_board(const GimbalOptions& gimbal) {
   const std::pair<bool, const char*> options[] = {
       {gimbal.timeout.has_value(), "--timeout"},
@@ -307,8 +307,8 @@ void reject_options_of_a_board(const GimbalOptions& gimbal) {
   }
 }
 
-/// A capture has the bytes of the line. Throws CommandError for a file that promises something
-/// else.
+/// A capture contains the bytes of the line. Throws CommandError for a file name that suggests
+/// another format.
 void require_capture(const RecordOptions& options) {
   const std::string name = detail::lower_case(options.file);
   const auto has_end = [&](const char* end) { return name.ends_with(end); };
@@ -332,7 +332,7 @@ void require_capture(const RecordOptions& options) {
       wrong_usage);
 }
 
-/// With --stream or a gimbal of its own, the board is asked; otherwise the line is listened to.
+/// With --stream or a gimbal, connects to the board; otherwise only listens to the line.
 int run_record(RecordOptions options, CommandContext& context) {
   if (options.seconds) {
     options.time = std::chrono::milliseconds(std::llround(*options.seconds * 1000));

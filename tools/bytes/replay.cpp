@@ -34,12 +34,12 @@ namespace sbgc::tools {
 
 namespace {
 
-/// Gives all hosts what a board sent, from the moment when the first one connects, and ignores what
-/// they send. The capture waits for slow hosts; one that does not read must leave.
+/// Sends all hosts the recorded bytes of a board, starting when the first one connects, and ignores
+/// their requests. The capture waits for slow hosts; one that does not read is disconnected.
 class ReplayPorts final : public hosts::HostPorts {
  public:
-  /// `on_end` is called once all bytes have been given and all hosts have taken them or left. `log`
-  /// receives sentences for the user.
+  /// `on_end` is called once all bytes have been sent and all hosts have received them or left.
+  /// `log` receives sentences for the user.
   ReplayPorts(std::unique_ptr<io::Transport> capture, std::function<void()> on_end,
               std::function<void(const std::string&)> log)
       : capture_(std::move(capture)),
@@ -173,7 +173,7 @@ void ReplayPorts::end_if_done() {
   if (const auto on_end = std::exchange(on_end_, nullptr)) on_end();
 }
 
-/// TCP and UDP each have as many places.
+/// The maximum number of hosts, for TCP and UDP each.
 constexpr std::size_t places_of_each = 16;
 
 struct ReplayOptions {
@@ -197,7 +197,7 @@ int run_replay(const ReplayOptions& options) {
   ReplayPorts ports(
       std::move(capture.transport),
       [&] {
-        // The hosts get their last bytes first.
+        // The hosts receive their last bytes first.
         asio::post(loop, [&] { loop.stop(); });
       },
       log);

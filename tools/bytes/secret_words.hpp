@@ -7,7 +7,7 @@
 
 namespace sbgc::tools {
 
-/// Throws CommandError: the value of this field comes from a file, or from a prompt.
+/// Throws CommandError: the value of this field must come from a file, or from a prompt.
 [[noreturn]] void refuse_secret(std::string_view name);
 
 /// Throws CommandError if one of the words assigns a value to a secret field of any message.

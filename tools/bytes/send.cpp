@@ -73,7 +73,7 @@ std::size_t number_of_values(const AnyMessage& message) {
   return number;
 }
 
-/// Returns the values as given, and what holds for the others. A profile is also named as people
+/// Returns the values as given, and the defaults of the others. A profile is also shown as users
 /// count it, from 1: "profile_id = 1 (profile 2)".
 std::string values_text(const AnyMessage& message, const std::vector<Assignment>& assignments) {
   std::vector<std::string> shown;
@@ -98,7 +98,7 @@ std::string values_text(const AnyMessage& message, const std::vector<Assignment>
   return text;
 }
 
-/// Replaces the file that a secret is in by the secret.
+/// Replaces the name of the file with a secret by the secret.
 void read_secrets(const MessageType& type, std::vector<Assignment>& assignments) {
   for (Assignment& one : assignments) {
     const auto found = find_fields(type.fields(), one.name);
@@ -159,7 +159,7 @@ Outgoing message_for(const Availability& versions, const Wanted& wanted,
 }
 
 /// Returns the message for a board that is not known yet: with the usual meaning of its values, or
-/// if that does not allow them, the newest.
+/// with the newest if the usual one does not allow them.
 Outgoing message_for_any(const Wanted& wanted, const SendOptions& options) {
   try {
     return message_for({}, wanted, options);
@@ -172,7 +172,7 @@ Outgoing message_for_any(const Wanted& wanted, const SendOptions& options) {
   }
 }
 
-/// Warns of enum values without a name, which the board may not know either.
+/// Warns of unnamed enum values, which the board may not know either.
 void warn_of_unnamed(const AnyMessage& message) {
   for_each_unnamed(message, [](const std::string& path, const std::string& sentence) {
     remark_warning(fmt::format("{}: {}", path, sentence));
@@ -182,12 +182,12 @@ void warn_of_unnamed(const AnyMessage& message) {
 /// Prints frames as `sbgc decode` does.
 class FramePrinting {
  public:
-  /// Values mean what they do on a board with these versions.
+  /// Values are interpreted as on a board with these versions.
   explicit FramePrinting(bool is_json, const Availability& versions = {}) : is_json_(is_json) {
     decoder_.learn(versions);
   }
 
-  /// Learns what the decoding of later frames needs.
+  /// Updates the context for decoding later frames.
   void learn(const Frame& frame, Direction direction) { decoder_.decode(frame, direction); }
 
   /// `more` is appended to the members of a JSON object. Throws CommandError, after printing, if
@@ -199,7 +199,7 @@ class FramePrinting {
         fmt::format("{} cannot be decoded: {}", decoded.command, decoded.explanation));
   }
 
-  /// Prints a frame that need not be of a known message.
+  /// Prints a frame, whose message may be unknown.
   void print_raw(const Frame& frame, Direction direction) { show(frame, direction, {}); }
 
  private:
@@ -256,14 +256,14 @@ RawRequest raw_request_of(const SendOptions& options) {
   return *std::move(request);
 }
 
-/// Returns what is known of the effects of a body under any id.
+/// Returns the known effects of a body under any id.
 Effects known_effects(const RawRequest& request) {
   const MessageType* const type =
       find_message(Direction::to_board, request.id, request.body.size());
   return type == nullptr ? Effects() : type->info->effects;
 }
 
-/// Throws CommandError for a request after which the line cannot be used, unless that is wanted.
+/// Throws CommandError for a request that makes the line unusable, unless that is allowed.
 void require_way_back(const SendOptions& options, Effects effects) {
   if (options.no_way_back || options.dry_run || !effects.has(Effect::disconnects)) return;
   throw CommandError(
@@ -272,7 +272,7 @@ void require_way_back(const SendOptions& options, Effects effects) {
       wrong_usage);
 }
 
-/// Sends a body under any id, also of a command that this version does not know.
+/// Sends a body under any id, including commands that this version does not know.
 int send_raw(const SendOptions& options, const CommandContext& context) {
   const RawRequest request = raw_request_of(options);
   if (holds_secret(Direction::to_board, request.id, request.body)) {

@@ -47,13 +47,13 @@ std::string temperature_text(bool is_on, msg::Temperature from, msg::Temperature
   return fmt::format("over temperature from {:.0f} to {:.0f} degC", from.real(), to.real());
 }
 
-/// For example "shakes by 0.05 deg/s, turns by 0.01 deg/s".
+/// Returns, for example, "shakes by 0.05 deg/s, turns by 0.01 deg/s".
 std::string motion_text(const SensorMotion& motion) {
   return fmt::format("shakes by {:.2f} deg/s, turns by {:.2f} deg/s", motion.shaking,
                      motion.turning);
 }
 
-/// Prints a paragraph about one IMU. A board without a second one refuses its state.
+/// Prints a paragraph about one IMU. A board without a second IMU refuses to report its state.
 void print_imu(Client& client, msg::SelectedImu imu, const char* name) {
   msg::CalibInfoRequest request;
   request.imu_type = imu;
@@ -71,7 +71,7 @@ void print_imu(Client& client, msg::SelectedImu imu, const char* name) {
   print_line("", fmt::format("now {:.0f} degC", state->imu_temp_cels.real()));
 }
 
-/// Prints what is calibrated, for people. Throws CommandError.
+/// Prints the state of calibration, for people. Throws CommandError.
 void print_calibration_state(Client& client) {
   const msg::RealtimeData3 data =
       value_of(Result<msg::RealtimeData3>(client.call(msg::RealtimeData3Request{})));
@@ -134,7 +134,7 @@ struct Chosen {
   CalibrationConditions conditions{};
 };
 
-/// The values of the command line; those of the options last.
+/// Returns the assignments of the command line; those from options come last.
 std::vector<Assignment> assignments_of(const CalibrateOptions& options) {
   std::vector<Assignment> result = parse_assignments(options.values);
   if (!options.imu.empty()) result.push_back({"imu_idx", options.imu});
@@ -143,7 +143,7 @@ std::vector<Assignment> assignments_of(const CalibrateOptions& options) {
   return result;
 }
 
-/// True unless the request only manages what is stored.
+/// True unless the request only manages stored calibrations.
 bool measures(const AnyMessage& request, bool is_of_sensor) {
   bool does = true;
   request.with_leaf("action", [&](const Leaf& leaf) {
@@ -174,7 +174,7 @@ Chosen choose(const Calibration& calibration, const CalibrateOptions& options) {
     result.form = &*std::ranges::find(calibration.forms, type.info, &CalibrationForm::info);
     const bool says_action = std::ranges::find(names, "action") != names.end();
     if (result.form->has_action && !says_action) assignments.push_back({"action", "REGULAR"});
-    // Other actions than calibrating have other effects, which those of the whole form include.
+    // Actions other than calibrating have different effects, which those of the whole form include.
     result.effects = says_action && !options.temperature ? result.form->info->effects
                                                          : calibration.info().effects;
     assign(result.request, assignments);
@@ -196,7 +196,7 @@ Chosen choose(const Calibration& calibration, const CalibrateOptions& options) {
   }
 }
 
-/// The information for the user before it begins.
+/// Returns the information for the user before the calibration begins.
 std::string sentences(const Chosen& chosen) {
   const MessageInfo& info = *chosen.form->info;
   std::string text = fmt::format("{} {}", info.summary, effect_text(chosen.effects));
@@ -211,7 +211,7 @@ std::string progress_text(const CalibrationProgress& progress) {
                      progress.state->progress.percent());
 }
 
-/// The conditions before the calibration begins.
+/// Returns the conditions for the calibration.
 ReadinessAtTerminal::Options readiness_of(const CalibrateOptions& command, const Chosen& chosen) {
   ReadinessAtTerminal::Options options{
       .conditions = chosen.conditions,
@@ -225,7 +225,7 @@ ReadinessAtTerminal::Options readiness_of(const CalibrateOptions& command, const
   return options;
 }
 
-/// Says which positions of the accelerometer are calibrated. Returns true if the user wants to
+/// Reports the calibrated positions of the accelerometer. Returns true if the user wants to
 /// calibrate another one.
 bool wants_next_position(Client& client, const Chosen& chosen, const CalibrateOptions& command) {
   const bool is_of_acc =

@@ -1,4 +1,4 @@
-// sbgc doctor: measures a gimbal for some seconds and says what is wrong.
+// sbgc doctor: measures a gimbal for some seconds and reports problems.
 
 #include <chrono>
 #include <functional>
@@ -40,7 +40,7 @@ struct DoctorOptions {
   bool thresholds = false;
 };
 
-/// The measurements, what they mean, and where they come from.
+/// The measurements, their findings, and their source.
 struct Examination {
   std::string board{}, firmware{}, line{};
   Measurements measured{};
@@ -50,7 +50,7 @@ struct Examination {
 
 const char* to_text(Sampling sampling) { return sampling == Sampling::stream ? "stream" : "polls"; }
 
-/// Says why there is no spectrum; "" if there is one.
+/// Returns why there is no spectrum; "" if there is one.
 std::string no_vibration_text(const Examination& examination) {
   if (examination.vibration) return "";
   const auto& gyro = examination.measured.gyro;

@@ -62,7 +62,7 @@ int list_modules(const ModuleListChoice& options, const CommandContext& context)
   return success;
 }
 
-/// A confirmation does not name its part: that of an earlier one would let the next part out.
+/// Confirmations do not name their part: a duplicate would release the next part too early.
 std::unique_ptr<io::Transport> refuse_repeating_line(std::unique_ptr<io::Transport> transport) {
   if (!transport->may_repeat()) return transport;
   throw CommandError(
@@ -71,7 +71,7 @@ std::unique_ptr<io::Transport> refuse_repeating_line(std::unique_ptr<io::Transpo
                   transport->description()));
 }
 
-/// The module of the board with this name.
+/// Returns the module of the board with this name.
 const msg::ModuleInfo& module_named(const msg::ModuleList& list, const std::string& name) {
   std::vector<std::string> names;
   for (const msg::ModuleInfo& one : list.modules) {

@@ -1,4 +1,4 @@
-/// Whether a gimbal is as a calibration expects it.
+/// Checks of a gimbal before a calibration, with questions at the terminal.
 #pragma once
 
 #include <optional>
@@ -18,18 +18,18 @@ class ReadinessAtTerminal {
     std::optional<double> voltage{};  ///< of the battery, in volts
     bool can_ask = false;             ///< the user is at a terminal
     bool motors_off = false;          ///< turn the motors off
-    bool checks = true;               ///< otherwise, that is all
+    bool checks = true;               ///< otherwise, nothing is checked
   };
 
   ReadinessAtTerminal(Client& client, const Options& options)
       : client_(client), options_(options) {}
 
-  /// Throws CommandError that says what is not as it should be. Asks the user where only the user
-  /// knows.
+  /// Throws CommandError that names the unmet condition. Asks the user about conditions that the
+  /// board cannot report.
   void require();
 
  private:
-  /// Returns if the user says yes.
+  /// Returns only if the user answers yes.
   void ask(const Question& question) const;
 
   Client& client_;

@@ -26,16 +26,16 @@ struct ResetOptions {
 
 using Clock = std::chrono::steady_clock;
 
-/// From the board's confirmation to its restart, so that the confirmation arrives.
+/// The delay between the board's confirmation and its restart, so that the confirmation arrives.
 constexpr std::chrono::milliseconds restart_delay{200};
-/// After this time the board answers only if it has restarted: the delay, and what it may run late.
+/// After this time the board answers only if it has restarted: the delay, and a margin.
 constexpr std::chrono::milliseconds until_restart{500};
-/// A port of the board itself disappears while it restarts.
+/// A USB port of the board itself disappears while it restarts.
 constexpr std::chrono::seconds longest_restart{30};
-/// Between attempts to connect: a port that is missing is reported at once.
+/// The interval between attempts to connect: a missing port is reported at once.
 constexpr std::chrono::milliseconds attempt_interval{100};
 
-/// Asks, and restarts the board.
+/// Asks the user, and restarts the board.
 void begin_restart(const LineChoice& line, const Arming& arming, const CommandContext& context) {
   Client client = value_of(Client::connect(line.address, line.options));
   msg::ResetRequestExt request;
@@ -53,7 +53,7 @@ void begin_restart(const LineChoice& line, const Arming& arming, const CommandCo
   value_of(confirmed);
 }
 
-/// Returns false if a signal ends the pause.
+/// Returns false if a signal interrupts the pause.
 bool wait_for(std::chrono::milliseconds time) {
   pollfd signal{interruption_descriptor(), POLLIN, 0};
   ::poll(&signal, 1, static_cast<int>(time.count()));

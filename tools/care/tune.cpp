@@ -42,7 +42,7 @@ struct TuneOptions {
   Arming arming{};
 };
 
-/// Returns the chosen axes, all of them if none is named.
+/// Returns the chosen axes, or all if none is named.
 Axes<bool> chosen_axes(const TuneOptions& options) {
   Axes<bool> chosen{};
   for (std::size_t axis = 0; axis < axis_names.size(); ++axis) {
@@ -70,7 +70,7 @@ std::string report_text(const msg::AutoPid& report, const Axes<bool>& chosen) {
   return text;
 }
 
-/// Prints what the tuning has changed, with the values before and after side by side.
+/// Prints the changes of the tuning, with the old and new values side by side.
 void print_changes(const ParameterSet& before, const ParameterSet& after,
                    const Availability& versions) {
   const auto value = [](const std::string& raw, const std::string& meaning) {
@@ -113,7 +113,7 @@ class TuningRun {
     gimbal_.has_stopped();
     try {
       print_changes(before_, read(), client.identity().versions());
-    } catch (const std::exception&) {  // also of a terminal that is gone
+    } catch (const std::exception&) {  // also if the terminal is gone
       remark("The new values could not be read or shown; the old ones return.\n");
       restore();
       throw;
@@ -182,10 +182,10 @@ class TuningRun {
     return detail::is_same_word(answer, "y") || detail::is_same_word(answer, "yes");
   }
 
-  /// Writes the old values, if the board has others.
+  /// Writes the old values, if the board has different ones.
   void restore() { check_outcome(gimbal_.client().write_parameters(before_)); }
 
-  /// Ends a tuning that went wrong.
+  /// Ends a failed tuning.
   [[noreturn]] void give_up(const ClientError& problem) {
     Client& client = gimbal_.client();
     const Result<void> ended = client.run(tasks::end_tuning());

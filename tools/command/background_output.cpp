@@ -26,7 +26,7 @@ namespace {
 constexpr std::size_t max_waiting = std::size_t{64} << 10;
 /// A pipe has room for it as soon as its reader has read something.
 constexpr std::size_t block_size = 4096;
-/// How long the end of the command waits for a reader that reads nothing.
+/// The time that the end of the command waits for a reader that reads nothing.
 constexpr std::chrono::seconds patience{1};
 
 /// Returns 0, or the error that prevents it.

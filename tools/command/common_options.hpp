@@ -12,8 +12,8 @@
 
 namespace sbgc::tools {
 
-/// How to reach the gimbal. What the command line leaves open comes from the configuration file, if
-/// it names the gimbal.
+/// The connection to the gimbal. Options that the command line omits come from the configuration
+/// file, if it names the gimbal.
 struct GimbalOptions {
   std::string port{};  ///< an address for sbgc::io::open(), or ""
   std::string name{};  ///< in the configuration file, or ""

@@ -23,7 +23,7 @@ namespace {
 
 /// Without a MustFinish.
 constexpr unsigned usual_bound = 8;
-/// To say what is left undone, within the bound.
+/// The time to report unfinished work, within the bound.
 constexpr unsigned last_words = 5;
 /// Signals that come sooner are one press of Ctrl-C, or have another sender.
 constexpr std::int64_t least_between_keys = 500;

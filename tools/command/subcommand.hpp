@@ -52,7 +52,7 @@ AddCommand add_shell, add_help, add_completion, add_manual;
 /// The options of a subcommand that has none.
 struct NoOptions {};
 
-/// What a subcommand needs follows from its types: if its Options have an `arming`, it asks before
+/// The types of a subcommand determine its needs: if its Options have an `arming`, it asks before
 /// it acts (--yes); if its function takes the CommandContext, it talks to a gimbal.
 template <class Options>
 class Subcommand {

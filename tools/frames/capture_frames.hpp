@@ -24,11 +24,11 @@ class CaptureListener {
   virtual ~CaptureListener() = default;
 
   virtual void on_session(const io::CaptureSession& session) = 0;
-  /// A frame in this direction; its last byte arrived at `time`. Its offset counts the bytes of
-  /// this direction since the start of the session.
+  /// Reports a frame in this direction; its last byte arrived at `time`. Its offset counts the
+  /// bytes of this direction since the start of the session.
   virtual void on_frame(Direction direction, io::CaptureTime time, const Frame& frame) = 0;
-  /// Bytes outside of frames; called before the next frame, or at the end of the session. The
-  /// offsets in `rejected` count like those of frames.
+  /// Reports bytes outside of frames; called before the next frame, or at the end of the session.
+  /// The offsets in `rejected` count like those of frames.
   virtual void on_skipped(Direction direction, io::CaptureTime time, std::uint64_t size,
                           std::span<const RejectedCandidate> rejected) = 0;
   virtual void on_note(io::CaptureTime time, std::string_view text) = 0;

@@ -21,7 +21,7 @@ namespace sbgc::tools {
 /// Writes the records of a capture file as a pcapng file.
 class CapturePackets {
  public:
-  /// `wants` chooses records by their direction and the time since the start of the capture.
+  /// Selects records by their direction and the time since the start of the capture.
   using Wants = std::function<bool(Direction, std::chrono::microseconds)>;
 
   CapturePackets(StandardOutput& out, Wants wants) : out_(out), wants_(std::move(wants)) {}
@@ -46,8 +46,8 @@ class CapturePackets {
   std::string problems_;
 };
 
-/// Writes bytes of one sender as a pcapng file: each frame, and what is between frames, is a
-/// packet. Nothing tells their times: all are 0, in 1970.
+/// Writes bytes of one sender as a pcapng file: each frame, and each gap between frames, is a
+/// packet. Their times are unknown: all are 0, in 1970.
 class BytePackets {
  public:
   BytePackets(StandardOutput& out, Direction direction);

@@ -15,7 +15,7 @@ constexpr std::array directions{Direction::to_board, Direction::from_board};
 
 /// The messages of an id in one direction.
 struct Command {
-  const char* name = nullptr;  ///< null for an unknown one; that of the other direction if need be
+  const char* name = nullptr;  ///< null if unknown; if need be, the one of the other direction
   std::vector<const MessageType*> forms{};
 };
 using Commands = std::array<std::array<Command, 256>, directions.size()>;

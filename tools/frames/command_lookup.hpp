@@ -23,11 +23,11 @@ bool has_command(Direction direction, std::uint8_t id);
 /// Rates how well a body of this size fits the command in this direction; 0 means not at all.
 int body_fit(Direction direction, std::uint8_t id, std::size_t size);
 
-/// Returns by how many bytes a body of this size is longer or shorter than the nearest form of the
+/// Returns the number of bytes by which a body of this size differs from the nearest form of the
 /// command in this direction; more than any body has if there is no such command.
 std::size_t misfit(Direction direction, std::uint8_t id, std::size_t size);
 
-/// Returns the sizes of a body that the forms of the command have: "13, 15", "6 to 60".
+/// Returns the body sizes that the forms of the command have: "13, 15", "6 to 60".
 std::string body_sizes(Direction direction, std::uint8_t id);
 
 }  // namespace sbgc::tools

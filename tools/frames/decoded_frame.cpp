@@ -19,11 +19,11 @@ namespace sbgc::tools {
 
 namespace {
 
-/// True if the specification has a body of this size, by the result of body_fit(); not if only
-/// later firmware can have grown it.
+/// True if body_fit() says that the specification has a body of this size, not counting sizes that
+/// only later firmware can have extended.
 bool is_documented(int fit) { return fit == 1 || fit > 2; }
 
-/// The direction that a body fits best.
+/// The direction that fits a body best.
 struct Guess {
   Direction direction{};
   bool is_certain{};
@@ -42,17 +42,17 @@ Guess guess(const Frame& frame) {
     return {is_documented(host) ? Direction::to_board : Direction::from_board, true};
   }
   if (is_documented(host) && host != board) {
-    // An answer of any size can have that of a request.
+    // An answer of variable size can have the size of a request.
     return {host > board ? Direction::to_board : Direction::from_board, host < board || board != 1};
   }
-  // Later firmware appends fewer bytes than make a body resemble the other direction.
+  // Later firmware appends fewer bytes than it takes to resemble the other direction.
   const std::size_t from_host = misfit(Direction::to_board, frame.id, size);
   const std::size_t from_board = misfit(Direction::from_board, frame.id, size);
   return {from_host < from_board ? Direction::to_board : Direction::from_board, false};
 }
 
-/// True if the body is rather a request with surplus than too short a message from the board: fewer
-/// bytes are wrong.
+/// True if the body is more likely a request with surplus than a truncated message from the board:
+/// fewer bytes are wrong.
 bool is_likely_request(const Frame& frame) {
   const std::size_t size = frame.body.size();
   const std::size_t surplus = size - std::min(size, largest_request(frame.id, newest));
@@ -76,7 +76,7 @@ std::string field_at(const MessageType& type, std::size_t offset) {
   return result;
 }
 
-/// The values of a message as a C compiler aligns them in a struct that is not packed.
+/// The values of a message as a C compiler aligns them in an unpacked struct.
 struct PaddedLayout {
   struct Part {
     std::size_t at{};
@@ -105,11 +105,11 @@ struct PaddedLayout {
   }
 };
 
-/// The form of a command that is nearest to a body whose size is wrong.
+/// The form of a command whose size is nearest to that of a body.
 struct NearestForm {
   const MessageInfo* form = nullptr;
   PaddedLayout layout{};  ///< of a form that has this size with padding; empty otherwise
-  bool has_field{};       ///< a value of the form has the size of what is missing
+  bool has_field{};       ///< a value of the form has the size of the missing bytes
 };
 
 NearestForm nearest_form(const Frame& frame, Direction direction) {
@@ -137,7 +137,7 @@ NearestForm nearest_form(const Frame& frame, Direction direction) {
   return result;
 }
 
-/// Finds the flags each of which, or in pairs, announces blocks of a certain size.
+/// Finds the flags that, alone or in pairs, announce blocks of a certain size.
 template <class M>
 struct BlockSearch {
   std::span<const std::uint8_t> body;
@@ -200,7 +200,7 @@ std::string blocks_note(const M& message, std::span<const std::uint8_t> body,
   return text;
 }
 
-/// Says that the request, which is not known, decides what a body holds; "" if it does not.
+/// Returns a note if the content of a body depends on an unknown request; "" otherwise.
 std::string blocks_note(const AnyMessage& message, std::span<const std::uint8_t> body,
                         const Contexts& contexts) {
   std::string note;
@@ -215,7 +215,7 @@ std::string blocks_note(const AnyMessage& message, std::span<const std::uint8_t>
   return note;
 }
 
-/// Writes objections by path; that to the whole message has the path "".
+/// Writes objections by path; the one about the whole message has the path "".
 void put_objections(TextOutput& out, const DecodedFrame& decoded) {
   char separator = '{';
   const auto add = [&](std::string_view path, std::string_view objection) {
@@ -265,7 +265,7 @@ DecodedFrame FrameDecoder::decode(const Frame& frame, std::optional<Direction> d
     result.is_guess = true;
     if (result.status) return result;
   }
-  // Again, because each decoding overwrites the values of the one before.
+  // Again, because each decoding overwrites the previous values.
   result = decode_from(frame, likely);
   result.is_guess = !is_certain;
   return result;
@@ -348,7 +348,7 @@ void FrameDecoder::describe_error(DecodedFrame& result) {
   const detail::NeededSize needed = detail::needed_size(result.direction, id, body, contexts_);
   result.explanation = detail::size_text(result.status, body.size(), needed);
   if (result.explanation.empty()) result.explanation = text(result.status.code);
-  // It is not certain which of the members that flags announce is missing.
+  // It is uncertain which of the announced members is missing.
   const std::size_t fixed = needed.depends_on_flags ? result.message->min_size : max_body_size;
   result.certain = std::min(body.size(), fixed);
   const Code code = result.status.code;
@@ -406,7 +406,7 @@ void FrameDecoder::decode_arrived(DecodedFrame& result) {
   const Contexts contexts = contexts_;  // which must not learn from missing bytes
   std::array<std::uint8_t, max_body_size> padded{};
   std::copy(result.frame.body.begin(), result.frame.body.end(), padded.begin());
-  // The rest is taken as zeros, as many as the message needs, or the next longer form of it.
+  // The rest is filled with as many zeros as the message needs, or the next longer form of it.
   Status status{Code::too_short};
   for (std::size_t size = arrived + 1; !status && size <= padded.size(); ++size) {
     status = decode_body(std::span(padded).first(size), contexts, result);

@@ -15,11 +15,11 @@
 
 namespace sbgc::tools {
 
-/// Another message that a body may be: the request decides, and nobody has seen it.
+/// An alternative message type for a body: the request decides, and it is unknown.
 struct OtherReading {
   const MessageInfo* message{};
-  const char* request = "";  ///< after which the body is this message
-  Rows rows{};               ///< if wanted
+  const char* request = "";  ///< the request that leads to this message
+  Rows rows{};               ///< if requested
 };
 
 /// The result of decoding one frame. The views are valid until the decoder decodes the next one.
@@ -31,25 +31,25 @@ struct DecodedFrame {
   const MessageInfo* message = nullptr;  ///< null if no message fits
   Status status{};
   std::string error_field{};  ///< the field of the error, if known
-  std::string explanation{};  ///< of the error: what came, and what the message needs
-  /// The JSON of the message, if wanted; of a body that is too short, with zeros for what is
-  /// missing.
+  std::string explanation{};  ///< of the error: the received and the required size
+  /// The JSON of the message, if requested; for a truncated body, with zeros for the missing
+  /// values.
   std::string_view fields{};
   std::string_view values{};  ///< the same with secrets
-  /// The number of leading bytes whose values have arrived whole, and where the message has them.
+  /// The number of leading bytes whose values have arrived completely, in message order.
   std::size_t certain = max_body_size;
-  Rows rows{};  ///< if wanted; of a body that is too short, the values in `certain` bytes
+  Rows rows{};  ///< if requested; of a truncated body, the values in `certain` bytes
   std::vector<OtherReading> others{};
   bool is_for_firmware{};   ///< checked against the versions of a certain board
   std::string objection{};  ///< why a board with these versions does not know the message, or ""
-  std::string note{};       ///< what else there is to know, or ""
+  std::string note{};       ///< further information, or ""
   Secrets secrets{};        ///< whether the texts below show them
 
-  /// True if the body cannot be decoded, but seems to hold a secret that is not to be shown.
+  /// True if the body cannot be decoded, but may hold a secret that must not be shown.
   bool hides_body() const;
 };
 
-/// The place of a frame in a capture file.
+/// The position of a frame in a capture file.
 struct CapturePlace {
   double time{};  ///< in seconds since the start of the session
   int session{};
@@ -57,7 +57,7 @@ struct CapturePlace {
 };
 
 /// Writes the object that `sbgc decode --format jsonl` prints. `more` are further members of it,
-/// with commas before them.
+/// each preceded by a comma.
 void put_json(TextOutput& out, const DecodedFrame& decoded, const CapturePlace* place = nullptr,
               std::string_view more = "");
 
@@ -67,18 +67,18 @@ void put_body(TextOutput& out, const DecodedFrame& decoded);
 /// Decodes frames in sequence and stores the context for later ones.
 class FrameDecoder {
  public:
-  /// The forms of a message that are wanted.
+  /// The requested forms of a message.
   struct Wanted {
     bool json{};
     bool rows{};
     Secrets secrets{};  ///< whether they are shown
   };
 
-  /// With `versions`, objects to what a board with these versions does not know.
+  /// With `versions`, objects to everything that a board with these versions does not know.
   explicit FrameDecoder(Wanted wanted, std::optional<Availability> versions = std::nullopt)
       : wanted_(wanted), versions_(versions) {}
 
-  /// Later values mean what they do on a board with these versions.
+  /// Interprets later values as on a board with these versions.
   void learn(const Availability& versions) { seen_ = versions; }
 
   /// `direction` is the direction of the frame; if it is missing, the frame size decides, unless
@@ -89,16 +89,16 @@ class FrameDecoder {
   DecodedFrame decode_from(const Frame& frame, Direction direction);
   Status decode_body(std::span<const std::uint8_t> body, const Contexts& contexts,
                      DecodedFrame& result);
-  /// Puts a decoded message into the wanted forms.
+  /// Converts a decoded message to the requested forms.
   void take(const AnyMessage& message, DecodedFrame& result);
-  /// Adds what else the body may be, if nobody has seen the request that decides it.
+  /// Adds the alternatives for the body, if the request that decides it is unknown.
   void add_others(DecodedFrame& result);
   void add_other(const MessageType& type, DecodedFrame& result);
-  /// Sets the explanation, and the rows of a body that is too short.
+  /// Sets the explanation, and the rows of a truncated body.
   void describe_error(DecodedFrame& result);
-  /// Sets the rows of a body that is too short.
+  /// Sets the rows of a truncated body.
   void decode_arrived(DecodedFrame& result);
-  /// Explains a size that no form has by what probably happened to the body.
+  /// Explains a size that no form has by the most probable cause.
   void explain_size(DecodedFrame& result);
 
   Wanted wanted_;

@@ -24,7 +24,7 @@ std::string text_of(const Json& line, const char* key) {
   return found->get<std::string>();
 }
 
-/// Returns the message that the line names: one of ours, or the form of a command that has its
+/// Returns the message that the line names: an own name, or the form of a command that has its
 /// fields. Such a command goes to the board, unless the line says otherwise or only the board sends
 /// it.
 const MessageType& type_named_in(const Json& line) {

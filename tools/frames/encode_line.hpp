@@ -12,8 +12,8 @@ struct EncodeRules {
   bool defaults = false;     ///< fill in fields that a line leaves out
 };
 
-/// Returns the frame that a line describes. The line may come from anywhere. Throws
-/// std::runtime_error, which says what is wrong with it.
+/// Returns the frame that a line describes. The line may be untrusted. Throws std::runtime_error,
+/// which describes the error in it.
 std::vector<std::uint8_t> encode_line(const std::string& text, const EncodeRules& rules);
 
 }  // namespace sbgc::tools

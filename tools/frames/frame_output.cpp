@@ -108,7 +108,7 @@ void FrameOutput::begin_table(const DecodedFrame& decoded, SampleKey key) {
   out_.put(table_->header());
 }
 
-/// Throws CommandError for values that belong into none of the columns.
+/// Throws CommandError for values that fit into none of the columns.
 void FrameOutput::require_same_columns(const DecodedFrame& decoded) const {
   if (table_message_ != decoded.message) {
     throw CommandError(fmt::format(
@@ -129,7 +129,7 @@ void FrameOutput::require_same_columns(const DecodedFrame& decoded) const {
 
 namespace {
 
-/// Returns the fields of a message that the name means; none if it has no such field.
+/// Returns the fields of a message that the name denotes; none if it has no such field.
 std::vector<FoundField> fields_named(const MessageType& message, const std::string& name) {
   try {
     return find_fields(message.fields(), name);
@@ -166,7 +166,7 @@ FieldCondition::FieldCondition(const std::string& text) {
   name_ = detail::trimmed(std::string_view(text).substr(0, place));
   operator_ = found->second;
   value_ = detail::trimmed(std::string_view(text).substr(place + found->first.size()));
-  // A mistake must not look like a capture without such frames.
+  // A typo must not look like a capture without such frames.
   std::vector<FieldSource> sources;
   std::string problem;
   for (const MessageType* const message : message_types()) {
@@ -180,7 +180,7 @@ FieldCondition::FieldCondition(const std::string& text) {
                                detail::did_you_mean(similar_fields(sources, name_))));
 }
 
-/// Adds the fields of a message that the name means. Returns why the condition cannot hold for one.
+/// Adds the fields of a message that the name denotes. Returns why the condition is impossible.
 std::string FieldCondition::add_target(const MessageType& message) {
   Target target;
   for (const FoundField& field : fields_named(message, name_)) {

@@ -1,4 +1,4 @@
-/// The output of `sbgc decode`, and which frames it has.
+/// The output of `sbgc decode`, and the selection of frames.
 #pragma once
 
 #include <cstdint>
@@ -20,21 +20,21 @@
 namespace sbgc::tools {
 
 /// A condition on a field, such as "angle.pitch > 10deg". For axes or a list, such as "angle", it
-/// holds if it does for any of their values.
+/// holds if any of their values satisfies it.
 class FieldCondition {
  public:
-  /// Throws ValueError if it is malformed, or no message has such a field that takes the value.
+  /// Throws ValueError if it is malformed, or no message has such a field that accepts the value.
   explicit FieldCondition(const std::string& text);
 
-  /// True if the message has a field that the condition means.
+  /// True if the message has a field that the condition names.
   bool concerns(const MessageInfo& message) const { return targets_.contains(&message); }
 
-  /// True if a field that the condition means arrived and holds such a value.
+  /// True if a field that the condition names has arrived and satisfies it.
   bool holds(const DecodedFrame& frame) const;
 
  private:
   enum class Operator : std::uint8_t { equal, unequal, less, most, greater, least, has };
-  /// The fields of one message that the name means, and the value to compare with.
+  /// The fields of one message that the name denotes, and the value to compare with.
   struct Target {
     std::vector<std::string> paths{};
     AnyValue value{};
@@ -52,14 +52,14 @@ class FieldCondition {
   std::map<const MessageInfo*, Target> targets_{};
 };
 
-/// All conditions of a command line, of which every one must hold.
+/// All conditions of a command line; a frame must satisfy all of them.
 class FrameFilter {
  public:
-  /// Selects messages by name: ours, that of the command, or its id. Throws ValueError, with
-  /// suggestions, if there is no such message.
+  /// Selects messages by name: the own name, that of the command, or its id. Throws ValueError,
+  /// with suggestions, if there is no such message.
   void add_message(const std::string& name);
-  /// To be called after the messages are selected. Throws ValueError if the condition can hold for
-  /// none of them.
+  /// Must be called after the messages are selected. Throws ValueError if none of them can satisfy
+  /// the condition.
   void add_condition(const std::string& text);
 
   bool is_empty() const { return messages_.empty() && ids_.empty() && conditions_.empty(); }
@@ -74,14 +74,14 @@ class FrameFilter {
   std::vector<FieldCondition> conditions_{};
 };
 
-/// True if a frame that was decoded with JSON has values: all, or of a short body some.
+/// True if a frame that was decoded with JSON has values; a truncated body may have some.
 bool has_values(const DecodedFrame& frame);
 
 /// Returns the type of the message. Precondition: has_values(frame).
 const MessageType& type_of(const DecodedFrame& frame);
 
-/// Calls `use(leaf, has_arrived)` for each value. Of a body that is too short, values that did not
-/// arrive are 0. Precondition: has_values(frame).
+/// Calls `use(leaf, has_arrived)` for each value. In a truncated body, values that did not arrive
+/// are 0. Precondition: has_values(frame).
 void for_each_value(const DecodedFrame& frame, const std::function<void(const Leaf&, bool)>& use);
 
 /// The frames to print, and their format.
@@ -89,7 +89,7 @@ struct FrameOutputOptions {
   OutputFormat format = OutputFormat::text;
   bool real = false;                       ///< JSON lines also have the values in their units
   Secrets secrets{};                       ///< whether they are shown
-  std::optional<Availability> versions{};  ///< of the firmware whose objections are wanted
+  std::optional<Availability> versions{};  ///< of the firmware to check against
   FrameFilter filter{};
 };
 
@@ -104,14 +104,14 @@ class FrameOutput {
   /// `heading` precedes the text of a frame. Returns true if it was printed.
   bool print(const Frame& frame, std::optional<Direction> direction, std::string_view heading,
              const CapturePlace* place = nullptr);
-  /// Learns from a frame that is not to be printed what the decoding of later ones needs.
+  /// Updates the context with a frame that is not printed, for decoding later ones.
   void learn(const Frame& frame, Direction direction) {
     if (decoder_.decode(frame, direction).status) ++readable_;
     has_frames_ = true;
   }
-  /// True if there were frames, but none of them can be decoded.
+  /// True if there were frames, but none could be decoded.
   bool is_unreadable() const { return has_frames_ && readable_ == 0; }
-  /// Tells in the text format if none of the frames was selected.
+  /// Reports in the text format if no frame was selected.
   void end();
   /// Forgets the context of earlier frames.
   void begin_session() { decoder_ = new_decoder_; }

@@ -79,7 +79,7 @@ void put_remark(TextOutput& out, std::string_view meaning, std::string_view obje
 
 bool has_remark(const Row& row) { return row.meaning != row.end || !row.objection.empty(); }
 
-/// The lines of a message: where the columns for path, raw value and remark begin.
+/// The columns of a message's lines: where path, raw value and remark begin.
 struct Columns {
   static constexpr std::size_t path = 4;
   std::size_t raw{};
@@ -106,7 +106,7 @@ char* copy(std::string_view text, char* to) {
   return to + text.size();
 }
 
-/// Writes a line without an objection: its texts on spaces.
+/// Writes a line without an objection, padded with spaces.
 void put_short(TextOutput& out, std::string_view path, std::string_view raw,
                std::string_view meaning, const Columns& columns) {
   char* const line = out.room(TextOutput::most_room);
@@ -131,7 +131,7 @@ void put_line(TextOutput& out, std::string_view path, std::string_view raw,
   } else {
     const std::size_t width = columns.remark - columns.raw;
     if (raw.starts_with('"')) {
-      out.put(fmt::format("{:<{}}", raw, width));  // it knows how wide characters are
+      out.put(fmt::format("{:<{}}", raw, width));  // fmt knows how wide characters are
     } else {
       out.put(raw);
       out.put(' ', width - raw.size());
@@ -149,7 +149,7 @@ void put_values(TextOutput& out, const Rows& rows, const Colors& colors) {
     const std::string_view path = row.path.text();
     const std::string_view raw = rows.raw(row);
     const std::string_view meaning = rows.meaning(row);
-    // Only quoted text has other characters than ASCII.
+    // Only quoted text contains characters other than ASCII.
     const bool is_plain = columns.are_short && !colors.are_on();
     if (is_plain && row.objection.empty() && !raw.starts_with('"')) {
       put_short(out, path, raw, meaning, columns);

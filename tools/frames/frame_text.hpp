@@ -8,7 +8,7 @@
 
 namespace sbgc::tools {
 
-/// Writes the rest of a heading that begins with the place of the frame, then a line per value:
+/// Writes the rest of a heading that begins with the position of the frame, then a line per value:
 /// path, raw value, meaning.
 void put_text(TextOutput& out, const DecodedFrame& decoded, const Colors& colors = {});
 

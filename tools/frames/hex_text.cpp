@@ -54,7 +54,7 @@ std::optional<TextError> HexDecoder::feed(std::span<const std::uint8_t> text,
 }
 
 bool HexDecoder::end_word(std::vector<std::uint8_t>& out) {
-  // In a text that writes 05, a 5 is what is left of a byte.
+  // In a text that writes 05, a single 5 is a truncated byte.
   if (half_ && (!alone_ || (has_two_ && !is_prefixed_))) return false;
   if (half_) out.push_back(high_);
   half_ = false;
@@ -81,7 +81,7 @@ std::string HexDecoder::other(char c, std::vector<std::uint8_t>& out) {
   const bool is_separator = separators.find(c) != std::string_view::npos || is_suffix || is_angle;
   constexpr std::string_view quotes = "\"'\\";
   const bool is_quote = quotes.find(c) != std::string_view::npos;
-  // The b of b'...' is no digit.
+  // The b of b'...' is not a digit.
   const bool ends_word = is_separator || c == '#' || (is_prefixed_ && is_quote);
   if ((half_ && !ends_word) || !end_word(out))
     return fmt::format("half a byte: a second digit is missing before '{}'", c);

@@ -10,7 +10,7 @@
 
 namespace sbgc::tools {
 
-/// The place and the reason of an error in a text.
+/// The position and the reason of an error in a text.
 struct TextError {
   std::size_t line{};    ///< from 1
   std::size_t column{};  ///< in bytes, from 1
@@ -26,13 +26,13 @@ class HexDecoder {
   /// error.
   [[nodiscard]] std::optional<TextError> feed(std::span<const std::uint8_t> text,
                                               std::vector<std::uint8_t>& out);
-  /// Must be called at the end. Appends a last digit that stands alone; returns an error if half a
-  /// byte is left.
+  /// Must be called at the end. Appends a final single digit; returns an error if half a byte is
+  /// left.
   [[nodiscard]] std::optional<TextError> finish(std::vector<std::uint8_t>& out);
 
  private:
-  /// Returns the error of a character that is neither a digit nor the end of a line; "" if it is
-  /// valid.
+  /// Processes a character that is neither a digit nor the end of a line. Returns the error; "" if
+  /// it is valid.
   std::string other(char c, std::vector<std::uint8_t>& out);
   /// Returns false if half a byte is left.
   bool end_word(std::vector<std::uint8_t>& out);
@@ -42,7 +42,7 @@ class HexDecoder {
   bool half_ = false;
   bool alone_ = true;         // if half_: no digit before it in the same word
   bool is_prefixed_ = false;  // "0x" begins the word
-  bool has_two_ = false;      // a word that needs two digits a byte, such as "00"
+  bool has_two_ = false;      // a word that needs two digits per byte, such as "00"
   bool escape_ = false;       // the last character is a backslash
   std::uint8_t high_ = 0;
   std::size_t angle_ = 0;  // the column of a '<' that may be the last character

@@ -23,7 +23,7 @@ bool begins_with(ByteSpan bytes, std::string_view magic) {
                     [](char a, std::uint8_t b) { return static_cast<std::uint8_t>(a) == b; });
 }
 
-/// Returns the kind of a file with a known signature; "" if there is none.
+/// Returns the file type for a known signature; "" if there is none.
 std::string known_kind(ByteSpan bytes) {
   using namespace std::string_view_literals;
   constexpr std::array compressed{"\x1f\x8b"sv,

@@ -1,4 +1,4 @@
-/// Strings of JSON.
+/// JSON strings.
 #pragma once
 
 #include <string_view>
@@ -9,7 +9,7 @@
 
 namespace sbgc::tools {
 
-/// Writes a string of JSON. Bytes that are not UTF-8 become replacement characters.
+/// Writes a JSON string. Bytes that are not UTF-8 become replacement characters.
 inline void put_json_string(TextOutput& out, std::string_view text) {
   out.put('"');
   detail::for_each_sequence(text, [&](std::string_view sequence, bool is_utf8) {

@@ -35,7 +35,7 @@ std::string_view text_of(std::span<const std::uint8_t> bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-/// The score of a reading of a text: the more the better.
+/// The score of an interpretation of a text; higher is better.
 struct Score {
   std::uint64_t in_frames = 0;
   bool is_all_frames = false;
@@ -58,7 +58,7 @@ Score score_of(std::span<const std::uint8_t> bytes) {
           !bytes.empty() && AllFrameFormats::is_start(bytes.front())};
 }
 
-/// The result of a reading of a text.
+/// The result of an interpretation of a text.
 struct Attempt {
   Reading reading{};
   Bytes bytes{};
@@ -70,7 +70,7 @@ struct Attempt {
     error = reader.feed(text, bytes);
     if (!error) error = reader.finish(bytes);
     score = score_of(bytes);
-    // Otherwise it is the same as another reading; and any text is characters, or a log without
+    // Otherwise it equals another reading; and any text could be characters, or a log without
     // bytes.
     const bool says_it = !reading.skips_fronts || reader.has_fronts();
     const bool is_any_text = reading.notation >= Notation::literals;
@@ -93,7 +93,7 @@ std::string to_text(const Reading& reading, const TextError& error) {
 }
 
 std::optional<TextError> PastedText::feed(std::span<const std::uint8_t> text, Bytes& out) {
-  // Editors of Windows mark UTF-8.
+  // Windows editors mark UTF-8.
   const bool is_begin = std::exchange(is_begin_, false);
   if (is_begin && text_of(text).starts_with("\xEF\xBB\xBF")) text = text.subspan(3);
   if (reading_.notation == Notation::hex && !reading_.skips_fronts) return hex_.feed(text, out);
@@ -175,7 +175,7 @@ std::optional<Direction> PastedText::sender(std::uint64_t offset) {
 }
 
 ReadingChoice choose_reading(std::span<const std::uint8_t> begin) {
-  // A line at the end of a block may go on in the next one.
+  // A line at the end of a block may continue in the next one.
   constexpr std::size_t block = 4096;
   const std::size_t end = text_of(begin).rfind('\n');
   if (begin.size() >= block && end != std::string_view::npos) begin = begin.first(end + 1);
@@ -185,7 +185,7 @@ ReadingChoice choose_reading(std::span<const std::uint8_t> begin) {
       attempts.emplace_back(Reading{static_cast<Notation>(i), skips_fronts}, begin);
     }
   }
-  // The first of several that are as good: hex, without anything else in a line.
+  // The first of equally good ones: hex, without anything else in a line.
   const auto rank = [](const Attempt& a) {
     const TextError error = a.error.value_or(TextError{});
     return std::tuple(a.score, !a.error, error.line, error.column);
@@ -205,7 +205,7 @@ ReadingChoice choose_reading(std::span<const std::uint8_t> begin) {
 
 namespace {
 
-/// Appends the frame at the begin of `bytes` and returns its size; 0 if there is none.
+/// Appends the frame at the beginning of `bytes` and returns its size; 0 if there is none.
 std::size_t take_frame(std::span<const std::uint8_t> bytes, std::uint64_t offset,
                        std::vector<BareFrame>& out) {
   std::size_t taken = 0;

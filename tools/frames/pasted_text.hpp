@@ -1,4 +1,4 @@
-/// Bytes as people post them: hex text, lists of numbers, dumps, strings of programs, logs with
+/// Parses bytes from pasted text: hex text, lists of numbers, dumps, string literals, logs with
 /// times and senders, logs of programs; also without the start bytes of frames.
 #pragma once
 
@@ -37,8 +37,7 @@ enum class Notation : std::uint8_t {
 /// A way to read a text.
 struct Reading {
   Notation notation{};
-  /// Times, senders and names come before the bytes of a line, or comments and prose are between
-  /// them.
+  /// Times, senders and names precede the bytes of a line, or comments and prose are between lines.
   bool skips_fronts = false;
 };
 
@@ -60,14 +59,14 @@ class PastedText {
   [[nodiscard]] std::optional<TextError> finish(std::vector<std::uint8_t>& out);
 
   const Reading& reading() const { return reading_; }
-  /// True if there was such a front, a comment or prose.
+  /// True if anything was skipped.
   bool has_fronts() const { return has_fronts_; }
-  /// Returns who sent the byte at `offset`, if the text says so. Offsets must not decrease.
+  /// Returns the sender of the byte at `offset`, if the text names it. Offsets must not decrease.
   std::optional<Direction> sender(std::uint64_t offset);
 
  private:
   std::optional<TextError> read_line(std::string_view line, std::vector<std::uint8_t>& out);
-  /// From the bytes of the line on.
+  /// Records the sender of the bytes that begin with this line.
   void note_sender(std::optional<Direction> sender);
   std::optional<LineProblem> read_bytes(std::string_view line, std::vector<std::uint8_t>& out,
                                         std::optional<Direction>& sender);
@@ -83,33 +82,33 @@ class PastedText {
   bool has_fronts_ = false;
   bool is_begin_ = true;
   std::optional<Direction> sender_{};
-  std::deque<std::pair<std::uint64_t, Direction>> senders_{};  // from these offsets on
+  std::deque<std::pair<std::uint64_t, Direction>> senders_{};  // starting at these offsets
 };
 
 /// The most likely reading of a text.
 struct ReadingChoice {
   Reading reading{};
   std::optional<TextError> problem{};  ///< the text cannot be read
-  std::optional<Reading> other{};      ///< as likely, with other bytes
+  std::optional<Reading> other{};      ///< equally likely, with different bytes
   bool is_likely = false;              ///< it finds frames, or begins with a start byte
   bool has_bytes = false;
 };
 
-/// Chooses the reading that finds most in the first part of a text: 4096 bytes at least, if it has
-/// them.
+/// Selects the reading that finds most in the first part of a text: at least 4096 bytes, if
+/// available.
 ReadingChoice choose_reading(std::span<const std::uint8_t> begin);
 
-/// A frame as programs keep it that take off the start byte, and perhaps the checksum behind the
+/// A frame as stored by programs that remove the start byte, and perhaps the checksum after the
 /// body.
 struct BareFrame {
   Frame frame{};  ///< its offset is that of the id
   bool has_checksum{};
 };
 
-/// Returns the frames of known commands that the bytes are; none if they are anything else as well.
+/// Returns the frames of known commands in the bytes; none if they contain anything else.
 std::vector<BareFrame> bare_frames(std::span<const std::uint8_t> bytes);
 
-/// "without its start byte and the checksum behind the body".
+/// Returns, for example, "without its start byte and the checksum behind the body".
 std::string what_is_missing(const BareFrame& bare);
 
 }  // namespace sbgc::tools

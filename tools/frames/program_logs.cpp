@@ -18,7 +18,7 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// Takes a number of `digits` and the blanks around it. Returns false if there is none.
+/// Parses a number of `digits` and surrounding blanks. Returns false if there is none.
 bool take_number(std::string_view line, std::size_t& at, std::string_view digits,
                  std::uint64_t& number) {
   at += run_length(line, at, blanks);
@@ -37,7 +37,7 @@ bool take(std::string_view line, std::size_t& at, char wanted) {
   return true;
 }
 
-/// Reads bytes in hex, at column `from` of a line.
+/// Parses bytes in hex; `from` is the column in the line.
 std::optional<LineProblem> read_hex(std::string_view text, std::size_t from, Bytes& out) {
   HexDecoder hex;
   auto error = hex.feed({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, out);
@@ -46,7 +46,7 @@ std::optional<LineProblem> read_hex(std::string_view text, std::size_t from, Byt
   return LineProblem{from + error->column - 1, error->reason};
 }
 
-/// Returns the place behind the name and the parenthesis of a call, as in "read(3, ..."; npos if
+/// Returns the position after the name and the parenthesis of a call, as in "read(3, ..."; npos if
 /// there is none.
 std::size_t find_call(std::string_view line, std::string_view name) {
   for (std::size_t at = 0; (at = line.find(name, at)) != std::string_view::npos; ++at) {

@@ -12,13 +12,13 @@
 namespace sbgc::tools {
 
 // Each appends the bytes of a line to `out`, up to the first problem, and sets `sender` if the line
-// says it. Lines about something else have none.
+// names it. Unrelated lines contain no bytes.
 
 /// The Debug tab of the vendor's program: "V [86,18] [1f 46 a 0] 8a", which is the character of the
 /// id, the id and the size in decimal, the body in hex, and its checksum. Appends whole frames.
 std::optional<LineProblem> read_debug_tab(std::string_view line, std::vector<std::uint8_t>& out);
 
-/// strace: 'write(3, ">V\0V\0", 5) = 5'. The program that it watches is the host.
+/// strace: 'write(3, ">V\0V\0", 5) = 5'. The traced program is the host.
 std::optional<LineProblem> read_strace(std::string_view line, std::vector<std::uint8_t>& out,
                                        std::optional<Direction>& sender);
 
@@ -27,7 +27,7 @@ std::optional<LineProblem> read_candump(std::string_view line, std::vector<std::
                                         std::optional<Direction>& sender);
 
 /// socat -x: "> 2026/11/26 12:34:56.000123  length=5 from=0 to=4", then the bytes in hex, with -v
-/// also as characters. Its arrows do not say on which side the board is.
+/// also as characters. Its arrows do not tell on which side the board is.
 class SocatLines {
  public:
   std::optional<LineProblem> read(std::string_view line, std::vector<std::uint8_t>& out);
@@ -36,7 +36,7 @@ class SocatLines {
   std::uint64_t left_ = 0;  // bytes that the last header has announced
 };
 
-/// A table with a line of titles, such as of Saleae Logic 2: 'name,type,start_time,duration,data',
+/// A table with a header line, such as from Saleae Logic 2: 'name,type,start_time,duration,data',
 /// then '"Async Serial","data",0.1,8.6e-05,0x3E'.
 class ByteTable {
  public:
@@ -47,7 +47,7 @@ class ByteTable {
   std::optional<LineProblem> read_titles(const std::vector<std::string_view>& cells);
 
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
-  char delimiter_ = '\0';  // '\0' before the titles
+  char delimiter_ = '\0';  // '\0' before the header line
   // Columns.
   std::size_t data_ = none;
   std::size_t type_ = none;

@@ -22,8 +22,8 @@ namespace sbgc::tools {
 
 namespace {
 
-/// A header before the driver of a serial port changed it, which removes some bytes and turns 0x0d
-/// into 0x0a unless the port is in raw mode.
+/// A header before the driver of a serial port changed it. The driver removes some bytes and turns
+/// 0x0d into 0x0a unless the port is in raw mode.
 struct ChangedHeader {
   std::uint8_t id{};
   std::uint8_t size{};
@@ -33,13 +33,13 @@ struct ChangedHeader {
 using ByteSpan = std::span<const std::uint8_t>;
 using Header = std::array<std::uint8_t, frame_header_size>;
 
-/// The bytes that a terminal of Linux removes: the characters for end of file, start, reprint, stop
+/// The bytes that a Linux terminal removes: the characters for end of file, start, reprint, stop
 /// and literal next. Others, such as erase, remove more than themselves.
 constexpr std::array<std::uint8_t, 5> removed_bytes{0x04, 0x11, 0x12, 0x13, 0x16};
 constexpr std::uint8_t carriage_return = 0x0D;
 constexpr std::uint8_t line_feed = 0x0A;
-/// The bytes of a header after the start byte, the size first: with the same sum, the id could be
-/// missing as well, but few ids are among the removed bytes.
+/// The bytes of a header after the start byte, the size first: with the same sum, the id could also
+/// be missing, but few ids are among the removed bytes.
 constexpr std::array<std::size_t, 3> places{frame_size_offset, frame_id_offset,
                                             frame_header_checksum_offset};
 static_assert(places.size() + 1 == frame_header_size);
@@ -57,7 +57,7 @@ const char* name_of(std::size_t place) {
   return place == frame_size_offset ? "size" : "header checksum";
 }
 
-/// Rates how well the header fits a command; 0 means that it is not valid, or that the command has
+/// Rates how well the header fits a command; 0 means that it is invalid, or that the command has
 /// bodies of almost any size.
 int fit(const Header& header, std::optional<Direction> direction) {
   const Verdict verdict = AllFrameFormats::inspect(header.data(), header.size()).verdict;
@@ -71,8 +71,8 @@ int fit(const Header& header, std::optional<Direction> direction) {
   return best < documented ? 0 : best;
 }
 
-/// Returns the header that the driver may have changed to the invalid one after the start byte
-/// `bytes[0]`, if it fits a command.
+/// Returns the original header that the driver may have changed to the invalid one after the start
+/// byte `bytes[0]`, if it fits a command.
 std::optional<ChangedHeader> changed_header(ByteSpan bytes, std::optional<Direction> direction) {
   if (bytes.size() + 1 < frame_header_size) return std::nullopt;
   std::optional<ChangedHeader> best;
@@ -104,7 +104,7 @@ std::optional<ChangedHeader> changed_header(ByteSpan bytes, std::optional<Direct
 }
 
 /// Return a remark, which continues a sentence, if the driver may have changed the body or the
-/// trailer of a frame with a valid header; otherwise "". Framings that have only sums tell.
+/// trailer of a frame with a valid header; otherwise "". Detectable only in framings with sums.
 std::string remark_on_replaced(ByteSpan frame) {
   if (!has_only_sums(framing_of(frame.data()))) return "";
   const ByteSpan body = frame.subspan(frame_header_size, frame[frame_size_offset]);
@@ -119,7 +119,7 @@ std::string remark_on_replaced(ByteSpan frame) {
   return "; it fits if 0x0d has become 0x0a, as on a port that is not in raw mode";
 }
 
-/// `rest` is the frame without one byte.
+/// `rest` is the frame without the removed byte.
 std::string remark_on_removed(ByteSpan rest) {
   if (!has_only_sums(framing_of(rest.data()))) return "";
   const ByteSpan body = rest.subspan(frame_header_size);
@@ -136,8 +136,8 @@ const char* sender(Direction direction) {
   return direction == Direction::from_board ? "the board" : "the host";
 }
 
-/// For example "CMD_CONTROL (67) from the host with a body of 15 bytes": the command that fits this
-/// body size. If both directions have one, names both.
+/// Returns, for example, "CMD_CONTROL (67) from the host with a body of 15 bytes": the command that
+/// fits this body size, or both commands if both directions have one.
 std::string claimed(std::uint8_t id, std::size_t size, std::optional<Direction> sent) {
   std::vector<Direction> best;
   int best_fit = 0;
@@ -209,7 +209,7 @@ bool is_next_frame(std::span<const std::uint8_t> bytes) {
   return verdict != Verdict::no_start && verdict != Verdict::bad_header;
 }
 
-/// Returns why the candidate that begins with the start byte `bytes[0]` is not a frame.
+/// Returns the reason why the candidate with the start byte `bytes[0]` is not a frame.
 std::string reason(Candidate candidate, std::span<const std::uint8_t> bytes,
                    std::optional<Direction> sent) {
   if (bytes.size() < frame_header_size) return "a start byte, but the bytes end within the header";

@@ -19,8 +19,8 @@ struct RejectedCandidate {
   Verdict verdict{};         ///< incomplete, bad_header or bad_body
   bool has_header{};         ///< probably intended as a frame: its header is, or was, valid
   bool is_changed{};         ///< a driver has probably changed its header
-  std::size_t size{};        ///< that of the frame, if it has a header
-  std::size_t wrong{};       ///< from its start byte: what contradicts the other bytes
+  std::size_t size{};        ///< the size of the frame, if it has a header
+  std::size_t wrong{};       ///< offset from its start byte: the contradictory bytes
   std::size_t wrong_size{};  ///< 0 if bytes are missing
   std::string text{};        ///< the reason, such as "a start byte, but no command has the id 0"
 };
@@ -28,15 +28,15 @@ struct RejectedCandidate {
 /// The number of bytes after a start byte that the reason can depend on.
 inline constexpr std::size_t rejection_reach = max_frame_size + frame_header_size;
 
-/// Returns at most `limit` start bytes among the first `gap` bytes of `bytes`, and why they do not
-/// begin a frame. The bytes after the gap may belong to a truncated frame that begins in it.
-/// Without `direction`, either side may have sent them.
+/// Returns at most `limit` start bytes among the first `gap` bytes of `bytes`, and the reasons why
+/// they do not begin a frame. The bytes after the gap may belong to a truncated frame that begins
+/// in it. Without `direction`, either side may have sent them.
 std::vector<RejectedCandidate> rejected_candidates(std::span<const std::uint8_t> bytes,
                                                    std::size_t gap, std::size_t limit,
                                                    std::optional<Direction> direction);
 
-/// Finds the rejected candidates of a stream that arrives in pieces, gap by gap. Stores the bytes
-/// not examined yet and a few candidates.
+/// Finds the rejected candidates of a stream that arrives in pieces, gap by gap. Stores the
+/// unexamined bytes and a few candidates.
 class GapExplainer {
  public:
   explicit GapExplainer(std::optional<Direction> direction = std::nullopt)

@@ -17,14 +17,14 @@ namespace sbgc::tools {
 
 namespace {
 
-/// The places of the fields of a sample by their paths.
+/// The positions of the fields of a sample by their paths.
 class FieldPlaces {
  public:
   explicit FieldPlaces(const std::vector<StreamField>& fields) {
     for (std::size_t i = 0; i < fields.size(); ++i) places_[fields[i].path] = i;
   }
 
-  /// Calls `use(place, leaf)` for the values of a sample that have a place.
+  /// Calls `use(place, leaf)` for the values of a sample that have a position.
   template <class Use>
   void for_each(const Sample& sample, const Use& use) const {
     sample([&](const Leaf& leaf) {
@@ -85,7 +85,7 @@ class JsonWriter final : public SampleWriter {
     places_.for_each(sample, [&](std::size_t, const Leaf& leaf) {
       fields[to_string(leaf.path)] = leaf_json(leaf);
     });
-    // Microseconds suffice.
+    // Microseconds are precise enough.
     const Json json{{"version", 1},
                     {"time", std::round(time * 1e6) / 1e6},
                     {"message", message_},
@@ -98,11 +98,11 @@ class JsonWriter final : public SampleWriter {
   FieldPlaces places_;
 };
 
-/// The lines of a title: "angle.", "pitch" and "[deg]", or all in the last one.
+/// The lines of a title: "angle.", "pitch" and "[deg]", or everything in the last one.
 using Title = std::array<std::string, 3>;
 
-/// A table whose columns are as wide as their titles, which have several lines if there is no room
-/// for all of them in one.
+/// A table whose columns are as wide as their titles, which are split into several lines if they do
+/// not all fit into one.
 class TableWriter final : public SampleWriter {
  public:
   TableWriter(std::vector<StreamField> fields, std::size_t width, SampleKey key)
@@ -161,7 +161,7 @@ class TableWriter final : public SampleWriter {
     return field.unit.empty() ? "" : fmt::format("[{}]", field.unit);
   }
 
-  /// Adds the columns that have room, one at least.
+  /// Adds the columns that fit, at least one.
   template <class TitleOf>
   void add_columns(std::size_t width, TitleOf title_of) {
     std::size_t used = key_width_;

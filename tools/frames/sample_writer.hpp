@@ -12,7 +12,7 @@
 
 namespace sbgc::tools {
 
-/// A value that samples have.
+/// A value in samples.
 struct StreamField {
   std::string path{};  ///< for example "angle.roll"
   std::string unit{};  ///< "" if it has none
@@ -24,11 +24,11 @@ using Sample = std::function<void(const std::function<void(const Leaf&)>&)>;
 /// The layout of the output. All numbers are written independently of the locale.
 enum class OutputFormat : unsigned char {
   text,   ///< for people
-  csv,    ///< one header line with units, one line per message; numbers, and empty where missing
+  csv,    ///< a header line with units, then one line per message; numbers, empty where missing
   jsonl,  ///< one object per message
 };
 
-/// A value of --format.
+/// Returns the format for a value of --format.
 OutputFormat format_named(std::string_view name);
 
 /// The first column of a table in CSV.

@@ -28,7 +28,7 @@ namespace sbgc::tools {
 
 namespace {
 
-/// A field of the request, as its JSON names it.
+/// A field of the request, named as in its JSON.
 struct RequestField {
   std::string path{};
   const EnumInfo* names{};
@@ -44,7 +44,7 @@ std::vector<RequestField> request_fields(const AnyMessage& request) {
   return result;
 }
 
-/// Returns the set of flags that chooses what samples contain: the only one in a nested field. A
+/// Returns the set of flags that selects the contents of samples: the only one in a nested field. A
 /// flag set of the request itself concerns its execution.
 std::optional<RequestField> content_flags(const AnyMessage& request) {
   std::optional<RequestField> found;

@@ -17,7 +17,7 @@
 
 namespace sbgc::tools {
 
-/// Takes a sample, which is valid during the call.
+/// A handler for a sample, which is valid during the call.
 using SampleHandler = std::function<void(const Sample&)>;
 
 /// A stream of one kind of message, and its configuration.
@@ -29,21 +29,21 @@ class StreamType {
 
   const MessageInfo& info() const { return *type_->info; }
 
-  /// Configures what samples contain: "NAME=VALUE,…" sets fields of the request, and "A|B" its only
-  /// set of flags. Throws CommandError.
+  /// Configures the contents of samples: "NAME=VALUE,…" sets fields of the request, and "A|B" its
+  /// only set of flags. Throws CommandError.
   void configure(std::string_view with);
-  /// Sets the flags of the request so that samples have the fields that these patterns choose.
-  /// Nothing happens if samples do not depend on flags. Throws CommandError.
+  /// Sets the flags of the request so that samples have the fields that these patterns select. Does
+  /// nothing if samples do not depend on flags. Throws CommandError.
   void configure_for(std::string_view patterns);
-  /// The names of the flags that choose what samples contain; empty if there are none.
+  /// Returns the names of the flags that select the contents of samples; empty if there are none.
   std::vector<std::string> flags() const;
-  /// True if samples depend on flags of which none is set.
+  /// True if samples depend on flags, but none of them is set.
   bool lacks_flags() const;
 
-  /// The fields of samples with this configuration, in wire order, without reserved ones.
+  /// Returns the fields of samples with this configuration, in wire order, without reserved ones.
   std::vector<StreamField> fields() const;
 
-  /// Takes the messages that arrive without a request, as from a capture.
+  /// Handles messages that arrive without a request, as from a capture.
   Subscription listen(Client& client, SampleHandler handler) const;
   /// Starts the stream.
   Result<Subscription> start(Client& client, std::chrono::milliseconds interval,
@@ -63,8 +63,8 @@ class StreamType {
   AnyMessage request_;
 };
 
-/// Returns the request for the bytes of a stream, also of one that is not known here; `config` is
-/// its configuration in hex. Throws CommandError.
+/// Returns the request for the bytes of a stream, including unknown ones; `config` is its
+/// configuration in hex. Throws CommandError.
 roles::StreamRequest raw_stream_request(unsigned id, std::string_view config,
                                         std::chrono::milliseconds interval);
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view other_letters = "ghijklmnopqrstuvwxyzGHIJKLMNOPQRSTUVWXYZ";
 
-/// Words of logs that say who sent the bytes.
+/// Words in logs that name the sender of the bytes.
 constexpr std::array<std::pair<std::string_view, Direction>, 17> sender_words{
     {{"tx", Direction::to_board},
      {"rx", Direction::from_board},
@@ -36,14 +36,14 @@ constexpr std::array<std::pair<std::string_view, Direction>, 17> sender_words{
      {"answer", Direction::from_board},
      {"reply", Direction::from_board}}};
 
-/// Reads a time, a sender and a label from the front of a line.
+/// Parses a time, a sender and a label at the front of a line.
 class FrontReader {
  public:
   explicit FrontReader(std::string_view line) : line_(line) { skip_blanks(); }
 
   LineFront read() {
     skip_separator();  // of quoted lines: "> 3e 56"
-    // Each can be first.
+    // They can come in any order.
     while (take_time() || take_label() || take_sender()) skip_separator();
     take_assignment();
     return {at_, sender_};
@@ -54,7 +54,7 @@ class FrontReader {
 
   void skip_separator() {
     skip_blanks();
-    // A '>' begins many frames.
+    // Many frames begin with '>'.
     const bool is_prompt = has(line_, at_, "<>-") && has(line_, at_ + 1, blanks);
     if (is_prompt || has(line_, at_, ":|,=")) ++at_;
     skip_blanks();
@@ -111,7 +111,7 @@ class FrontReader {
     return end + suffix_at(end, {"s", " s", "ms", " ms"}) - at;
   }
 
-  /// Returns the size of the suffix that is here as a whole word.
+  /// Returns the size of the suffix at this position if it is a whole word.
   std::size_t suffix_at(std::size_t at, std::initializer_list<std::string_view> suffixes) const {
     for (const std::string_view one : suffixes) {
       if (line_.substr(at).starts_with(one) && !has(line_, at + one.size(), letters)) {
@@ -320,7 +320,7 @@ std::optional<LineProblem> DumpLines::read(std::string_view line, std::vector<st
   if (!has_offset || (end_of_offset != line.size() && !has(line, end_of_offset, blanks))) {
     return LineProblem{at, "a line of a dump begins with an offset"};
   }
-  // od counts in octal, with 7 digits. A dump of several frames begins at 0 again.
+  // od uses octal offsets with 7 digits. A dump of several frames restarts at 0.
   const bool is_of_od = digits == 7;
   const std::uint64_t number = number_of(offset, 16);
   if (number == 0) next_ = 0;
@@ -340,7 +340,7 @@ std::optional<LineProblem> DumpLines::read(std::string_view line, std::vector<st
     const std::size_t size = run_length(line, at, hex_digits);
     const bool is_end = at + size == line.size() || has(line, at + size, blanks);
     const bool is_group = size != 0 && size % 2 == 0 && is_end;
-    // Half of the bytes of a line may be set apart; then come those bytes as characters.
+    // The halves of a line may be separated; then the same bytes follow as characters.
     const bool is_apart = bytes != 0 && gap >= 2 && !(bytes == 8 && gap == 2 && size == 2);
     if (at == line.size() || is_apart) break;
     if (!is_group) {

@@ -1,4 +1,4 @@
-/// Bytes as people write them in a line of text.
+/// Parses bytes in a line of text, in various notations.
 #pragma once
 
 #include <algorithm>
@@ -17,21 +17,21 @@ namespace sbgc::tools {
 /// The text before the bytes of a line: "12:34:56.789 TX: ", "uint8_t frame[] = ".
 struct LineFront {
   std::size_t size = 0;
-  std::optional<Direction> sender{};  ///< if it is named: the host transmits (TX)
+  std::optional<Direction> sender{};  ///< if it is named: TX means the host
 };
 
 LineFront front_of(std::string_view line);
 
-/// Returns the sender that the words of a label say, unless they contradict each other.
+/// Returns the sender that the words of a label name, unless they are contradictory.
 std::optional<Direction> sender_in(std::string_view label);
 
 /// True for words between lines of bytes, such as "and got this".
 bool is_prose(std::string_view line);
 
-/// Returns the line with spaces in place of comments of C.
+/// Returns the line with C comments replaced by spaces.
 std::string without_comments(std::string_view line);
 
-/// Why a line cannot be read, at a column from 0.
+/// The reason why a line cannot be read, and the column, counted from 0.
 struct LineProblem {
   std::size_t column{};
   std::string reason{};
@@ -39,15 +39,15 @@ struct LineProblem {
 
 // Each appends the bytes of a line to `out`, up to the first problem.
 
-/// "[62, 67, 15]", also with negative numbers, as of signed bytes.
+/// "[62, 67, 15]", also with negative numbers for signed bytes.
 std::optional<LineProblem> read_decimal(std::string_view line, std::vector<std::uint8_t>& out);
-/// Strings of Python and C: "b'\x3eV\x00'". What is outside of quotes is ignored.
+/// String literals of Python and C: "b'\x3eV\x00'". Text outside of quotes is ignored.
 std::optional<LineProblem> read_literals(std::string_view line, std::vector<std::uint8_t>& out);
 /// ">V{12}h{1F}": characters, and bytes in hex in braces.
 std::optional<LineProblem> read_braced(std::string_view line, std::vector<std::uint8_t>& out);
 
 /// Lines of xxd, hexdump -C, od -t x1 and Wireshark: an offset, bytes in hex, and perhaps the same
-/// as characters. A '*' repeats the line before.
+/// as characters. A '*' repeats the previous line.
 class DumpLines {
  public:
   std::optional<LineProblem> read(std::string_view line, std::vector<std::uint8_t>& out);
@@ -70,7 +70,7 @@ inline bool is_one_of(char c, std::string_view set) {
   return set.find(c) != std::string_view::npos;
 }
 
-/// Returns the number of characters of `text` from `at` on that are in `set`.
+/// Returns the length of the run of characters of `set` in `text` that begins at `at`.
 inline std::size_t run_length(std::string_view text, std::size_t at, std::string_view set) {
   const std::size_t end = std::min(text.find_first_not_of(set, at), text.size());
   return end - std::min(at, end);

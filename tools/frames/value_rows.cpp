@@ -37,7 +37,7 @@ void ValueRows::assign(const AnyMessage& message, const Availability& allowed,
   message.validate(allowed, [&](const Violation& violation) { object(violation); });
 }
 
-// Most values need nothing of what is not inlined.
+// Most values need only the inlined code.
 
 SBGC_NOINLINE void ValueRows::put_secret(Leaf leaf, StringOutput& out) const {
   leaf.secrets = secrets_;

@@ -19,7 +19,7 @@ namespace sbgc::tools {
 /// The text of a path.
 class PathText {
  public:
-  /// Returns false if it was another path before.
+  /// Returns false if the path has changed.
   bool assign(const FieldPath& path) {
     if (is_of(path)) return true;
     replace(path);
@@ -31,14 +31,14 @@ class PathText {
     const Level* level = levels_.data();
     for (const FieldPath* at = &path; at != nullptr; at = at->parent, ++level) {
       if (level->name == nullptr || at->index != level->index) return false;
-      // Names are literals, which mostly have one address.
+      // Names are literals, which usually have the same address.
       if (at->name != level->name && std::strcmp(at->name, level->name) != 0) return false;
     }
     return level->name == nullptr;
   }
 
  private:
-  /// The path from the innermost name on.
+  /// The path, starting with the innermost name.
   struct Level {
     const char* name{};
     std::size_t index{};
@@ -53,7 +53,7 @@ class PathText {
 
 /// One value of a message. Its raw value and its meaning are texts of Rows.
 struct Row {
-  /// What decides the texts of an integer.
+  /// The properties that determine the texts of an integer.
   struct Source {
     bool is_integer{};
     std::int64_t integer{};
@@ -69,7 +69,7 @@ struct Row {
                             ///< its own subject, "MODE_RC needs firmware 2.66"
   std::size_t offset{};     ///< offset of the value in the body
   std::size_t size{};       ///< size of the value in bytes
-  // The places of the texts, one after another.
+  // The positions of the texts, one after another.
   std::size_t raw{};
   std::size_t meaning{};
   std::size_t end{};
@@ -97,11 +97,11 @@ class Rows {
   const char* text_ = "";
 };
 
-/// The values of one message after another. Keeps its memory.
+/// The values of one message after another. Reuses its memory.
 class ValueRows {
  public:
-  /// Replaces the rows by those of a message, without reserved values that are 0. They mean what
-  /// they do on a board of the versions `meant`; objections are those of the versions `allowed`.
+  /// Replaces the rows by those of a message, without reserved zeros. Values are interpreted as on
+  /// a board with the versions `meant`; objections are for the versions `allowed`.
   void assign(const AnyMessage& message, const Availability& allowed, const Availability& meant,
               Secrets secrets = Secrets::hidden);
 
@@ -109,12 +109,12 @@ class ValueRows {
   Rows rows() const { return {last_->rows, last_->text.data()}; }
 
  private:
-  /// The last message of a type. The paths, and many of the values, do not change from one frame
-  /// to the next.
+  /// The last message of a type. The paths, and many of the values, are the same in consecutive
+  /// frames.
   struct Last {
     std::vector<Row> rows{};
     std::string text{};
-    std::string text_before{};  ///< of the message before it
+    std::string text_before{};  ///< of the previous message
   };
 
   void add(const Leaf& leaf, StringOutput& out);
@@ -129,15 +129,15 @@ class ValueRows {
   std::size_t objected_ = 0;  // the last row that has an objection
 };
 
-/// Returns what to say of an enum value that has no name: "has no name; the nearest are
-/// CMD_REALTIME_DATA_3 (23) and CMD_REALTIME_DATA_4 (25)"; "" for any other value. It is no error:
-/// other firmware may know it.
+/// Returns a remark on an enum value without a name: "has no name; the nearest are
+/// CMD_REALTIME_DATA_3 (23) and CMD_REALTIME_DATA_4 (25)"; "" for any other value. It is not an
+/// error: other firmware may know the value.
 ///
-/// A 0 without a name is none of the values, which is usual in what a board sends or stores; unless
-/// `takes_zero`, there is something to say about it.
+/// An unnamed 0 means no value, which is usual in what a board sends or stores; unless
+/// `takes_zero`, it causes a remark as well.
 std::string unnamed_text(const Leaf& leaf, bool takes_zero = true);
 
-/// Calls `use(path, sentence)` for the values of a request that have no name: "24 has no name; the
+/// Calls `use(path, sentence)` for the values of a request without a name: "24 has no name; the
 /// nearest ...".
 template <class Message, class Use>
 void for_each_unnamed(const Message& message, const Use& use) {

@@ -36,7 +36,7 @@ struct DescribeOptions {
   std::vector<std::string> words{};
 };
 
-/// Returns what the reference says about a message: for each direction, if it travels in both.
+/// Returns the reference of a message: one entry for each direction in which it travels.
 std::vector<const MessageReference*> references_of(const MessageInfo& info) {
   std::vector<const MessageReference*> found;
   for (const MessageReference& reference : message_references) {
@@ -68,10 +68,10 @@ class PageText {
     if (text.empty()) return;
     fmt::print("{:{}}{}\n", "", indent, wrapped(text, line_width(), indent, indent));
   }
-  /// A name in a column of `width` characters, and a text after it or below.
+  /// Prints a name in a column of `width` characters, and a text next to it or below.
   void entry(std::string_view name, std::string_view text, std::size_t indent,
              std::size_t width) const {
-    // A narrow column after the name is hard to read: the text is below it then.
+    // A narrow column after the name is hard to read: then the text goes below it.
     constexpr std::size_t narrow = 24;
     const bool is_below = line_width() < indent + width + narrow;
     const std::size_t column = indent + (is_below ? 2 : width);
@@ -92,10 +92,10 @@ class PageText {
 
 // ---- Messages ----
 
-/// A field with its place in the body.
+/// A field with its position in the body.
 struct PlacedField {
   std::string path{};
-  std::string offset{};  ///< "" if other values decide
+  std::string offset{};  ///< "" if it depends on other values
   const FieldType* type = nullptr;
 };
 
@@ -108,7 +108,7 @@ std::string offsets_text(const Offsets& offsets) {
   return fmt::format("{}, {}, ...", offsets->at(0), offsets->at(1));
 }
 
-/// Collects the values of a message with their places.
+/// Collects the values of a message with their positions.
 class Layout {
  public:
   explicit Layout(const std::vector<FieldType>& members) {
@@ -120,7 +120,7 @@ class Layout {
   /// Returns the offsets after the members.
   Offsets members_at(const std::vector<FieldType>& members, const std::string& path, Offsets at) {
     for (const FieldType& member : members) {
-      // Conditions decide whether a field is there, so its place is not fixed.
+      // Conditions determine whether a field is present, so its position is not fixed.
       if (member.is_optional) at.reset();
       field_at(member, path.empty() ? member.name : path + '.' + member.name, at);
       if (member.size == 0) at.reset();
@@ -277,7 +277,7 @@ bool print_command(const PageText& page, const CommandReference& command) {
 
 // ---- Enums and packed values ----
 
-/// An enum, a flag set or a packed value, and the fields that have it.
+/// An enum, a flag set or a packed value, and the fields that use it.
 struct NamedType {
   std::string_view name{};
   const EnumInfo* names = nullptr;
@@ -369,7 +369,7 @@ void print_variable(const PageText& page, const VariableInfo& variable) {
   print_facts(page, field, "", 2);
 }
 
-/// Calls `use(path, field)` for each field, at the first place in a message where it occurs.
+/// Calls `use(path, field)` for each field, at its first occurrence in a message.
 template <class Use>
 void for_each_known_field(const Use& use) {
   std::set<const FieldInfo*> known;
@@ -407,7 +407,7 @@ void for_each_searched(const Use& use) {
   }
 }
 
-/// Prints what has the words in its name or its description. Returns false if nothing has.
+/// Prints everything with these words in its name or description. Returns false if none has them.
 bool print_search(const PageText& page, const std::string& words) {
   const Query query(words);
   std::vector<std::pair<std::string, const char*>> found;
@@ -424,8 +424,8 @@ bool print_search(const PageText& page, const std::string& words) {
   return true;
 }
 
-/// Prints what has some of the words, those with rare words first. Returns false if nothing has a
-/// third of them.
+/// Prints the entries with the most and rarest of the words. Returns false if no entry has a third
+/// of them.
 bool print_nearest(const PageText& page, const std::string& words) {
   struct Place {
     std::string name{};
@@ -473,7 +473,7 @@ struct Occurrence {
   const FieldType* type = nullptr;
 };
 
-/// Returns the fields with this path or name in all messages, or after the name of one message.
+/// Returns the fields with this path or name in all messages, or in one whose name precedes it.
 std::vector<Occurrence> occurrences_of(std::string word) {
   const std::size_t dot = std::min(word.find('.'), word.size());
   const std::string first = word.substr(0, dot);
@@ -488,7 +488,7 @@ std::vector<Occurrence> occurrences_of(std::string word) {
     try {
       fields = find_fields(message->fields(), word);
     } catch (const ValueError&) {
-      // Several fields of the message: each that ends with the name.
+      // Several fields of the message: each whose path ends with the name.
       for_each_field(message->fields(),
                      [&](const std::vector<WayStep>& way, const FieldType& type) {
                        const FieldType* const last = way.back().member;
@@ -549,7 +549,7 @@ void print_all(const PageText& page) {
       0);
 }
 
-/// Prints everything that the word names. Returns false if nothing has this name.
+/// Prints everything that the word names. Returns false if there is nothing.
 bool print_word(const PageText& page, const std::string& word) {
   bool is_known = false;
   const auto separate = [&] {
@@ -614,7 +614,7 @@ bool print_word(const PageText& page, const std::string& word) {
   return is_known;
 }
 
-/// Prints what the words name together, or the end of a name that another program has: "motors on",
+/// Prints the entry that the words name together, or a name with a foreign prefix: "motors on",
 /// "command 67", SBGC_CMD_CONTROL. Returns false if nothing has this name.
 bool print_name(const PageText& page, const std::string& words) {
   std::string name = words;
@@ -652,7 +652,7 @@ std::vector<std::string> all_words() {
   return {words.begin(), words.end()};
 }
 
-/// Returns the words that are nearest to this one, whatever their case.
+/// Returns the words that are nearest to this one, ignoring case.
 std::vector<std::string> similar_words(const std::string& word) {
   std::multimap<std::string, std::string> words;
   for (const std::string& name : all_words()) {
@@ -678,14 +678,14 @@ int describe(const DescribeOptions& options) {
     return success;
   }
   const std::string word = fmt::format("{}", fmt::join(options.words, " "));
-  const std::string telling = fmt::format("{}", fmt::join(telling_words(word), " "));
+  const std::string significant = fmt::format("{}", fmt::join(significant_words(word), " "));
   if (print_word(page, word) || print_name(page, word) || print_search(page, word)) return success;
-  // Of a question with a number, as "what is 69", it is the number.
-  if (parse_command_id(telling) && print_word(page, telling)) return success;
-  if (telling != word && print_search(page, telling)) return success;
+  // A question about a number: "what is 69".
+  if (parse_command_id(significant) && print_word(page, significant)) return success;
+  if (significant != word && print_search(page, significant)) return success;
   std::vector<std::string> near = similar_words(word);
   if (near.empty()) near = similar_words(word.substr(word.rfind('.') + 1));
-  if (near.empty() && print_nearest(page, telling)) return success;
+  if (near.empty() && print_nearest(page, significant)) return success;
   constexpr std::size_t most = 8;
   if (near.size() > most) near.resize(most);
   throw CommandError(fmt::format("nothing is named '{}'{}", clipped(word),

@@ -1,4 +1,4 @@
-// sbgc info: a gimbal, its line, and what it does not support.
+// sbgc info: a gimbal, its line, and the features that it does not support.
 
 #include <algorithm>
 #include <chrono>
@@ -76,7 +76,7 @@ void add_flags(Flags<E> flags, std::vector<Feature>& features) {
   }
 }
 
-/// Returns the commands of which these versions know no form.
+/// Returns the commands of which these versions support no form.
 std::vector<std::string> unsupported_commands(const Availability& versions) {
   std::vector<std::string> all;
   std::vector<std::string> known;
@@ -162,7 +162,7 @@ class Paragraphs {
                wrapped(printable(text), line_width(), column, column));
   }
 
-  /// Prints as many names as fit in the line, and how many more there are.
+  /// Prints as many names as fit into the line, and the number of the others.
   void print_some(const std::string& name, const std::vector<std::string>& words) const {
     const std::size_t width = line_width() - column;
     const auto cut_after = [&](std::size_t count) {

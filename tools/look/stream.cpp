@@ -39,7 +39,7 @@ namespace sbgc::tools {
 
 namespace {
 
-/// Thread-safe. Drops lines if too much text is waiting.
+/// A queue of output lines. Thread-safe. Drops lines if too much text is queued.
 class LineQueue {
  public:
   void put(const std::string& line) {
@@ -52,7 +52,7 @@ class LineQueue {
     changed_.notify_one();
   }
 
-  /// Returns what is waiting; waits for it until `deadline`.
+  /// Returns the queued lines; waits for some until `deadline`.
   std::string take(std::chrono::steady_clock::time_point deadline) {
     std::unique_lock lock(mutex_);
     changed_.wait_until(lock, deadline, [this] { return !waiting_.empty(); });
@@ -87,7 +87,7 @@ struct StreamOptions {
   bool unix_time = false;
 };
 
-/// Counts the samples of a stream, and from its rate those that are missing.
+/// Counts the samples of a stream, and detects missing ones from its rate.
 class SampleCounter {
  public:
   explicit SampleCounter(std::chrono::milliseconds interval) : interval_(interval) {}
@@ -168,20 +168,20 @@ End end_of(const StreamOptions& options, Clock::time_point start) {
   return options.time ? start + *options.time : End::max();
 }
 
-/// Writes lines until the end, Ctrl-C, or a reason to stop, also if the reader has left or stopped.
+/// Writes lines until the end, Ctrl-C, or a reason to stop, even if the reader has left or stopped.
 template <class IsOver>
 void write_until(End end, LineQueue& lines, const IsOver& is_over) {
   BackgroundOutput& output = background_stdout();
   while (!output.is_closed() && !was_interrupted() && Clock::now() < end && !is_over()) {
     const auto soon = std::min(end, Clock::now() + std::chrono::milliseconds(50));
-    // Otherwise the lines wait in the queue.
+    // Otherwise the lines remain in the queue.
     if (output.wait_until(soon)) output.write(lines.take(soon));
   }
 }
 
-/// Writes what is left. Returns false if the reader has stopped reading.
+/// Writes the rest. Returns false if the reader has stopped reading.
 bool write_rest(LineQueue& lines) {
-  background_stdout().finish();  // it drops what comes before
+  background_stdout().finish();  // it drops earlier lines
   background_stdout().write(lines.take(Clock::now()));
   finish_stdout();
   if (background_stdout().is_complete()) return true;
@@ -189,7 +189,7 @@ bool write_rest(LineQueue& lines) {
   return false;
 }
 
-/// A frame as a line of a table, CSV or JSON.
+/// Returns a frame as a line of a table, CSV or JSON.
 std::string raw_line(OutputFormat format, double time, const Frame& frame) {
   const std::string body = detail::to_hex(frame.body);
   switch (format) {
@@ -201,7 +201,7 @@ std::string raw_line(OutputFormat format, double time, const Frame& frame) {
                      frame.id, body);
 }
 
-/// The bytes of a stream, also of one that is not known here.
+/// Shows the bytes of a stream, including unknown ones.
 int run_raw_stream(const StreamOptions& options, const CommandContext& context) {
   if (!options.name.empty() || !options.fields.empty() || !options.with.empty()) {
     throw CommandError("--id is for bytes: it has neither a name, --fields nor --with",
@@ -255,7 +255,7 @@ int run_stream(StreamOptions options, const CommandContext& context) {
   std::atomic<bool> has_samples = false;
   std::atomic<bool> has_unreadable = false;
   Client client = connect_for_long(context.gimbal);
-  const Interruption interruption;  // not before: the first Ctrl-C ends the connecting
+  const Interruption interruption;  // not earlier: the first Ctrl-C ends the connection attempt
   const bool ends = is_replay(context.gimbal);
   std::atomic<bool> has_ended = false;
   const Subscription changes = ends ? client.on_change([&](const LinkChange&) { has_ended = true; })
@@ -275,10 +275,10 @@ int run_stream(StreamOptions options, const CommandContext& context) {
   const double start_unix =
       std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
   lines.put(writer->header());
-  // A stream that is silent for longer is started again.
+  // A stream that is silent for longer is restarted.
   const auto longest = std::max<Clock::duration>(ReconnectOptions{}.longest_silence, 3 * interval);
   const auto take = [&](const Sample& sample) {
-    if (has_ended) return;                                    // the capture begins again
+    if (has_ended) return;                                    // the capture starts again
     if (!has_samples.exchange(true)) has_unreadable = false;  // of an earlier stream
     const auto now = Clock::now();
     const double time = std::chrono::duration<double>(now - start).count();
@@ -291,7 +291,7 @@ int run_stream(StreamOptions options, const CommandContext& context) {
   };
   Subscription samples =
       ends ? stream.listen(client, take) : value_of(stream.start(client, interval, take));
-  // Until then, what does not decode may be of an earlier stream that the board has not ended yet.
+  // Until then, samples that do not decode may belong to an earlier stream that is still ending.
   const auto settled =
       Clock::now() + std::max<Clock::duration>(std::chrono::seconds(1), 3 * interval);
   write_until(end_of(options, start), lines, [&] {
@@ -301,7 +301,7 @@ int run_stream(StreamOptions options, const CommandContext& context) {
   samples.cancel();
   const bool is_complete = write_rest(lines);
   counter.finish();
-  // The rate of a capture may be another.
+  // The rate of a capture may differ.
   if (!background_stdout().is_closed() && !ends) report_losses(counter, lines.dropped());
   return has_unreadable || !is_complete ? failure : success;
 }

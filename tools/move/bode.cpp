@@ -36,7 +36,7 @@ namespace sbgc::tools {
 namespace {
 
 // The limits of a recording. Assumption: a longer or stronger one is a mistake.
-constexpr double least_seconds = 4;  // as of the vendor's program
+constexpr double least_seconds = 4;  // same as in the vendor's program
 constexpr double most_gain = 10'000;
 constexpr double most_frequency = 500;
 constexpr std::size_t most_positions = 100;
@@ -58,7 +58,7 @@ struct BodeCommand {
   Arming arming{};
 };
 
-/// The value with this name. Throws CommandError, which lists the names.
+/// Returns the value with this name. Throws CommandError, which lists the names.
 template <class E>
 E bode_value(const std::string& word, const char* option) {
   std::string names;
@@ -99,9 +99,9 @@ msg::BodeTestStartStopRequest bode_request(const BodeCommand& command) {
   return request;
 }
 
-/// A recording to make.
+/// A planned recording.
 struct PlannedRecording {
-  std::optional<RecordingPosition> position{};  ///< nothing: where the camera is
+  std::optional<RecordingPosition> position{};  ///< nothing: the present position
   std::string name{};
   std::string file{};  ///< empty if the samples are not saved
 };
@@ -110,8 +110,8 @@ RecordingPosition position_of(const msg::GetAngles& state) {
   return {state.axes.roll.imu_angle.degrees(), state.axes.pitch.imu_angle.degrees()};
 }
 
-/// The name that the vendor's example gives a file, such as ROLL_R0_P-30_Y12.csv. The pan axis
-/// stays where it is.
+/// Returns a file name as in the vendor's example, such as ROLL_R0_P-30_Y12.csv. The pan axis stays
+/// where it is.
 std::string position_file(const BodeCommand& command, const RecordingPosition& position,
                           double yaw) {
   return fmt::format("{}_R{}_P{}_Y{}.csv", detail::upper_case(command.axis), position.roll,
@@ -132,7 +132,7 @@ std::vector<PlannedRecording> plan_recordings(const BodeCommand& command,
   return plan;
 }
 
-/// Throws CommandError if a file cannot be written, or two are the same: before the camera shakes.
+/// Throws CommandError if a file cannot be written, or two are equal: before the camera shakes.
 void check_files(const BodeCommand& command, const std::vector<PlannedRecording>& plan) {
   std::vector<std::string> files;
   files.reserve(plan.size() + 1);
@@ -153,7 +153,7 @@ void check_files(const BodeCommand& command, const std::vector<PlannedRecording>
   }
 }
 
-/// After a signal, the command ends although nobody reads.
+/// After a signal, the command ends even if nobody reads.
 void show_table(const std::string& text) {
   if (!was_interrupted()) return fmt::print("{}", text);
   background_stdout().write(text);
@@ -198,7 +198,7 @@ int show_files(const BodeCommand& command) {
   return success;
 }
 
-/// The turns to the positions and back.
+/// Describes the turns to the positions and back.
 std::string turns_text(const std::vector<RecordingPosition>& positions,
                        const RecordingPosition& back, Axes<msg::Angle14> angles) {
   if (positions.empty()) return "";
@@ -246,7 +246,7 @@ void create_folder(const std::string& folder) {
   if (error) throw CommandError(fmt::format("cannot create {}: {}", folder, error.message()));
 }
 
-/// Returns false, and says why, if the file cannot be written but the recording is shown as well.
+/// Returns false, with a message, if the file cannot be written but the recording is also shown.
 bool save_recording(const BodeCommand& command, const std::string& file,
                     const BodeRecording& recording) {
   const std::string text = to_csv(recording);
@@ -266,7 +266,7 @@ struct MadeRecordings {
   bool are_saved = true;
 };
 
-/// Makes the recordings, as far as no signal ends that, and turns the camera back.
+/// Makes the recordings, unless a signal ends this early, and turns the camera back.
 MadeRecordings make_recordings(const BodeCommand& command, MovingGimbal& gimbal,
                                const BodeRecorder& recorder,
                                const std::vector<PlannedRecording>& plan,
@@ -286,8 +286,7 @@ MadeRecordings make_recordings(const BodeCommand& command, MovingGimbal& gimbal,
   return made;
 }
 
-/// Records with other streams paused. What fails after a signal ends the command as the signal
-/// does.
+/// Records with other streams paused. Errors after a signal end the command like the signal.
 MadeRecordings record_undisturbed(const BodeCommand& command, MovingGimbal& gimbal,
                                   const msg::BodeTestStartStopRequest& request,
                                   const std::vector<PlannedRecording>& plan,
@@ -316,7 +315,7 @@ int record_responses(const BodeCommand& command, const CommandContext& context) 
   std::vector<RecordingPosition> positions;
   positions.reserve(command.positions.size());
   for (const std::string& text : command.positions) positions.push_back(parse_position(text));
-  // Errors are found before the camera shakes; the names of files need a gimbal only for yaw.
+  // Errors are found before the camera shakes; file names need a gimbal only for yaw.
   check_files(command, plan_recordings(command, positions, {}));
 
   MovingGimbal gimbal(context.gimbal);

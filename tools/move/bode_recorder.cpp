@@ -32,7 +32,7 @@ namespace sbgc::tools {
 
 namespace {
 
-/// The speed between positions, and the time until the camera is calm.
+/// The time until the camera is calm after a turn.
 constexpr std::chrono::seconds settling{2};
 
 std::string recording_seconds(std::size_t samples) {
@@ -45,7 +45,7 @@ RecordingPosition parse_position(const std::string& text) {
   const std::size_t comma = text.find(',');
   const auto number = [&](std::string_view part) {
     const auto read = detail::parse_number<double>(part);
-    // No -0, which file names would show.
+    // Avoid -0, which file names would show.
     if (comma != std::string::npos && read && *read >= -180 && *read <= 180) return *read + 0.0;
     throw CommandError(
         fmt::format("'{}' is not ROLL,PITCH in degrees, such as 0,-30", clipped(text)),
@@ -62,7 +62,7 @@ MoveTarget target_of(const RecordingPosition& position) {
 
 BodeRecording BodeRecorder::record() const {
   if (gimbal_.must_stop()) gimbal_.give_up({});
-  constexpr std::chrono::seconds margin{30};  // the library gives up before
+  constexpr std::chrono::seconds margin{30};  // the library times out earlier
   const std::chrono::seconds length(
       static_cast<std::int64_t>(request_.samples_num / bode_sample_rate));
   const MustFinish recording(length + margin, "the axis may still shake, until its time is over");
@@ -139,22 +139,22 @@ void BodeRecorder::go_to(const RecordingPosition& position) const {
 
 namespace {
 
-/// The possible requests for a stream with this sample, without the interval: one request if
-/// the sample tells, several if it is one of them, none if the sample does not tell. `is_sample` is
-/// false for other messages.
+/// The possible requests for a stream with this sample, without the interval: one if the sample
+/// identifies it, several if it is one of them, none if it is unknown. `is_sample` is false for
+/// other messages.
 struct StreamGuess {
   bool is_sample = false;
   std::vector<msg::DataStreamInterval> requests{};
 };
 
-/// When samples of a stream arrived.
+/// Records the arrival times of a stream's samples.
 class SampleTimes {
  public:
   using Time = std::chrono::steady_clock::time_point;
 
   void add(Time at) { times_.push_back(at); }
   bool have_interval() const noexcept { return times_.size() > 1; }
-  /// The interval between samples, of which some may be lost. Precondition: have_interval().
+  /// The interval between samples, some of which may be lost. Precondition: have_interval().
   msg::Milliseconds interval() const;
 
  private:
@@ -187,7 +187,7 @@ Configs configs_of(const msg::ExtMotorsState& sample) {
   known[0].data_set = sample.data_set;
   return known;
 }
-/// Only a part of what was requested for these is in their samples.
+/// Their samples show only a part of the request.
 Configs configs_of(const msg::Event& /*sample*/) { return {}; }
 Configs configs_of(const msg::CanDrvTelemetry& /*sample*/) { return {}; }
 
@@ -222,7 +222,7 @@ msg::Milliseconds SampleTimes::interval() const {
   const double all =
       std::chrono::duration<double, std::milli>(times_.back() - times_.front()).count();
   const auto heard = static_cast<double>(gaps.size());
-  // A gap that is twice as long as most has lost a sample. If most would be lost, the machine was
+  // A gap that is twice as long as most has lost a sample. If most seem to be lost, the machine was
   // busy, and they arrived in bunches.
   const double sent = *middle > 0 ? std::round(all / *middle) : heard;
   const double count = sent >= 1 && sent <= 2 * heard ? sent : heard;
@@ -237,7 +237,7 @@ struct HeardStream {
   SampleTimes times{};
 };
 
-/// Returns the streams of which several samples arrive within this time: others do not matter.
+/// Returns the streams with several samples within this time: others do not matter.
 std::vector<HeardStream> heard_streams(Client& client, std::chrono::milliseconds time) {
   std::vector<HeardStream> heard;
   {
@@ -276,7 +276,7 @@ PausedStreams::PausedStreams(Client& client) : client_(client) {
       msg::DataStreamInterval end = *request;
       end.interval_ms = {};
       const Result<void> ended(client_.call(end));
-      if (!ended) restart();  // those before it: the destructor will not run
+      if (!ended) restart();  // restart the earlier ones: the destructor will not run
       value_of(ended);
       runs = still_runs(client, stream);
       if (runs) continue;

@@ -14,7 +14,7 @@
 
 namespace sbgc::tools {
 
-/// How many seconds a recording may take. Assumption: what is longer is a mistake.
+/// The longest recording in seconds. Assumption: anything longer is a mistake.
 inline constexpr double longest_recording = 60;
 
 /// A direction of the camera, in degrees. The pan axis stays where it is.
@@ -22,7 +22,7 @@ struct RecordingPosition {
   double roll{}, pitch{};
 };
 
-/// Reads "ROLL,PITCH" in degrees. Throws CommandError.
+/// Parses "ROLL,PITCH" in degrees. Throws CommandError.
 RecordingPosition parse_position(const std::string& text);
 
 /// The speed between positions, in deg/s.
@@ -32,11 +32,11 @@ MoveTarget target_of(const RecordingPosition& position);
 
 class BodeRecorder {
  public:
-  /// With `motors_off`, the first signal turns the motors off, otherwise the second.
+  /// With `motors_off`, the first signal turns the motors off, otherwise the second one.
   BodeRecorder(MovingGimbal& gimbal, const msg::BodeTestStartStopRequest& request, bool motors_off)
       : gimbal_(gimbal), request_(request), motors_off_(motors_off) {}
 
-  /// Records where the camera is. The first signal waits for the end. Throws CommandError.
+  /// Records at the present position. The first signal waits for the end. Throws CommandError.
   BodeRecording record() const;
   /// Turns the camera, and waits until it is calm. Throws CommandError.
   void go_to(const RecordingPosition& position) const;
@@ -49,9 +49,9 @@ class BodeRecorder {
   bool motors_off_;
 };
 
-/// Ends the data streams that run on the line, as an earlier host has left them, and starts them
-/// again at the end of its life. No request lists them: what is known of them is what their samples
-/// tell, and the user reads what is not.
+/// Ends the data streams that an earlier host has left running, and restarts them on destruction.
+/// No request lists them: only their samples are known, and the user is told about anything
+/// unknown.
 class PausedStreams {
  public:
   /// Listens to the line for half a second. Throws CommandError if the board does not respond.
@@ -61,7 +61,7 @@ class PausedStreams {
   ~PausedStreams();
 
  private:
-  /// Starts the streams again that were running.
+  /// Restarts the streams that were running.
   void restart() const;
 
   Client& client_;

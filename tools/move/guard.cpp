@@ -35,8 +35,8 @@ namespace sbgc::tools {
 
 namespace {
 
-/// How the guard starts: its end of the channel is its standard input; it has no terminal, no other
-/// file, and is in no group of processes that a signal for this one could reach.
+/// The setup of the guard process: its end of the channel is its standard input; it has no terminal
+/// and no other files, and is in no process group that a signal for this one could reach.
 class GuardSetup {
  public:
   explicit GuardSetup(int channel) {
@@ -86,7 +86,7 @@ Guard::Guard() {
   std::string purpose = fmt::format("stops the gimbal if process {} dies", getpid());
   const std::array<char*, 3> arguments{name.data(), purpose.data(), nullptr};
   // This program, even if the file was replaced meanwhile. A new program, because a fork of a
-  // process with threads can do next to nothing.
+  // process with threads can do almost nothing.
   const int error = ::posix_spawn(&process_, "/proc/self/exe", setup.files(), setup.attributes(),
                                   arguments.data(), environ);
   if (error != 0) fail_to_start(error);
@@ -94,7 +94,7 @@ Guard::Guard() {
 
 Guard::~Guard() {
   if (!channel_) return;
-  // It has nothing to do any more.
+  // It is no longer needed.
   ::kill(process_, SIGKILL);
   ::waitpid(process_, nullptr, 0);
 }
@@ -146,7 +146,7 @@ bool send_packet(int channel, const Packet& packet) {
   return size == static_cast<ssize_t>(packet.data.iov_len);
 }
 
-/// The name of the message, a null, the copy, and the body.
+/// The name of the message, a NUL, the copy, and the body.
 std::string packed_text(const Parameters& parameters) {
   std::string text = parameters.id.message;
   text += '\0';
@@ -203,7 +203,7 @@ GuardedLine receive_line(int channel) {
     const cmsghdr* const control = CMSG_FIRSTHDR(&packet.header);
     if (control == nullptr) {
       const std::string_view text(packet.bytes.data(), static_cast<std::size_t>(size));
-      // The sender is this program, so that they can be decoded.
+      // The sender is this program, so they can be decoded.
       static_cast<void>(line.restored.put(unpacked(text)));
       continue;
     }
@@ -218,7 +218,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// How long the guard tries to stop the camera. A line that carries nothing for this long is lost.
+/// The guard tries to stop the camera for this long. A line without traffic for as long is lost.
 constexpr std::chrono::seconds longest_question{60};
 
 /// Makes one attempt. The descriptor stays open.
@@ -247,20 +247,20 @@ Result<void> stop_gimbal(const GuardedLine& line) {
   }
   const bool has_timeouts = is_supported<msg::ControlConfig>(client->identity().versions());
   if (does(AfterStop::remove_timeout) && has_timeouts) {
-    // Before the timeout is over, which is no longer than the rest of a stop.
+    // Before the timeout has expired, which is no longer than the rest of a stop.
     if (Result<void> removed = client->set_control_timeout({}); !removed) return removed;
   }
   return client->stop();
 }
 
-/// True if no further attempt can succeed.
+/// True if further attempts are pointless.
 bool is_final(ErrorCode code) { return code == ErrorCode::link_lost || code == ErrorCode::io; }
 
 }  // namespace
 
 int run_guard() {
   ::prctl(PR_SET_NAME, guard_name);
-  // It ends by itself, and must outlive what ends the command.
+  // It ends by itself, and must survive the signals that end the command.
   for (const int number : {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGPIPE, SIGTSTP, SIGUSR1, SIGUSR2}) {
     ::signal(number, SIG_IGN);
   }

@@ -12,13 +12,13 @@ namespace sbgc::tools {
 enum class AfterStop : unsigned char {
   nothing,
   remove_timeout,  ///< so that RC does not take over: see set_control_timeout()
-  end_tuning,      ///< before the stop, which a board that tunes may not heed
+  end_tuning,      ///< before the stop, which a tuning board may ignore
   all,             ///< for a guard of several commands
 };
 
-/// Runs a guard: a process of its own session that also holds the line. If this process ends
+/// Runs a guard: a process in its own session that also holds the line. If this process ends
 /// without releasing it, for whatever reason, the guard stops the gimbal, and restores parameters
-/// if it has some.
+/// if it has any.
 class Guard {
  public:
   /// Starts the guard. Throws CommandError.
@@ -28,13 +28,13 @@ class Guard {
   /// Releases the guard, which ends, unless the stop was left to it.
   ~Guard();
 
-  /// Hands over the line; the descriptor stays the caller's. Throws CommandError.
+  /// Passes the line to the guard; the caller keeps the descriptor. Throws CommandError.
   void take(int line, AfterStop after) const;
-  /// Hands over parameters that the board shall have again after the stop. Throws CommandError.
+  /// Passes parameters that the guard restores after the stop. Throws CommandError.
   void restore(const ParameterSet& parameters) const;
-  /// Lets the guard stop the camera. It goes on after this process.
+  /// Lets the guard stop the camera. It continues after this process.
   void leave_it_to_guard();
-  /// False once the guard has ended: from then on, nobody stops the camera if this process dies.
+  /// False once the guard has ended: then nothing stops the camera if this process dies.
   bool is_alive() const;
   /// Becomes readable when the guard ends, for poll().
   int descriptor() const noexcept { return channel_.get(); }
@@ -56,18 +56,17 @@ inline constexpr const char* guard_name = "sbgc-guard";
 struct GuardedLine {
   int descriptor = -1;
   AfterStop after{};
-  ParameterSet restored{};  ///< what the board shall have after the stop
+  ParameterSet restored{};  ///< to restore on the board after the stop
 };
 
 /// Sends a line; the sender keeps its descriptor. Returns false on an error, which is in errno.
 bool send_line(int channel, const GuardedLine& line);
 
-/// Sends parameters that the board shall have after the stop. Returns false on an error, which is
-/// in errno.
+/// Sends parameters to restore after the stop. Returns false on an error, which is in errno.
 bool send_parameters(int channel, const Parameters& parameters);
 
 /// Waits for lines and parameters until the other side has closed the channel or ended. Returns the
-/// last line, with all parameters; its descriptor is the receiver's, or -1 if none came.
+/// last line, with all parameters; the receiver owns its descriptor, which is -1 if none came.
 GuardedLine receive_line(int channel);
 
 }  // namespace sbgc::tools

@@ -46,7 +46,7 @@ struct KeyTurn {
   int sign{};
 };
 
-/// For example "up"; the sign is 0 if nothing turns the camera there.
+/// Returns the turn for, e.g., "up"; the sign is 0 if nothing turns the camera there.
 consteval KeyTurn turn_to(std::string_view direction) {
   for (std::size_t axis = 0; axis < axis_directions.size(); ++axis) {
     if (axis_directions[axis].positive == direction) return {axis, 1};
@@ -80,20 +80,20 @@ std::optional<KeyTurn> direction_of(const KeyPress& press) {
   }
 }
 
-/// The axes that turn: those whose key is held, as far as its repetitions show.
+/// The turning axes: those whose key is held, according to its repetitions.
 class HeldKeys {
  public:
   void press(const KeyTurn& direction, Clock::time_point now) {
     Held& held = held_[direction.axis];
     const bool repeats = now < held.until && held.sign == direction.sign;
-    // A held key repeats after a longer pause at first.
+    // The first repetition of a held key comes after a longer pause.
     constexpr milliseconds first{550};
     constexpr milliseconds next{200};
     held = {direction.sign, std::max(held.until, now + (repeats ? next : first))};
     if (repeats) held.until = now + next;
   }
   void release() { held_ = {}; }
-  /// -1, 0 or 1 for each axis.
+  /// Returns -1, 0 or 1 for each axis.
   std::array<int, 3> signs(Clock::time_point now) const {
     std::array<int, 3> result{};
     for (std::size_t i = 0; i < held_.size(); ++i) {
@@ -172,7 +172,7 @@ class Jog {
     constexpr milliseconds interval{250};
     if (now < shown_ + interval) return;
     shown_ = now;
-    constexpr std::size_t least = 60;  // for all that it shows
+    constexpr std::size_t least = 60;  // enough for everything it shows
     const bool is_narrow = line_width(stderr) < least;
     // A lost response only delays the display.
     CallOptions options;

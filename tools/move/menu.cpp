@@ -60,7 +60,7 @@ void list_actions() {
   }
 }
 
-/// Runs another command with the options of the gimbal that this one has.
+/// Runs another command with the gimbal options of this one.
 int run_instead(CLI::App& app, const std::vector<std::string>& words, const Arming& arming,
                 const CommandContext& context) {
   remark("This is `sbgc {}`.\n", fmt::join(words, " "));
@@ -70,7 +70,7 @@ int run_instead(CLI::App& app, const std::vector<std::string>& words, const Armi
   return context.status;
 }
 
-/// The place of the camera before an action whose end only the board knows.
+/// Returns the position of the camera before an action with an end that only the board knows.
 std::string place_text(Client& client) {
   const Result<msg::GetAngles> state(client.get_angles());
   if (!state) return "";

@@ -60,7 +60,7 @@ Task<Result<void>> perform(msg::MenuCommand action, CallOptions options) {
   } else {
     done = co_await tasks::call(msg::ExecuteMenu{.cmd_id = action}, confirming(options));
   }
-  // It may have been done, also if a confirmation that was asked for is missing.
+  // It may have been done, even if a requested confirmation is missing.
   if (!done && done.error().code == ErrorCode::timeout) {
     done = ClientError{ErrorCode::unconfirmed, done.error().message};
   }

@@ -29,14 +29,14 @@ struct MoveCommand {
   Arming arming{};
 };
 
-/// Returns the targets; relative angles count from the measured ones.
+/// Returns the targets; relative angles are added to the measured ones.
 MoveTarget target_of(const MoveCommand& command, const Axes<msg::Angle14>& angles) {
   MoveTarget target;
   for (std::size_t i = 0; i < axis_names.size(); ++i) {
     if (!command.angles[i]) continue;
     const std::string option = std::string("--") + axis_names[i];
     const msg::Angle14 angle = to_angle(*command.angles[i], option);
-    // It would be the same as two turns in the other direction.
+    // It would equal two turns in the other direction.
     if (command.relative && angle.raw() == std::numeric_limits<msg::Angle14::raw_type>::min()) {
       throw CommandError(option + ": a relative angle is less than two turns", wrong_usage);
     }
@@ -55,7 +55,7 @@ std::string angles_text(const MoveTarget& target, const MoveProgress& progress) 
   return text;
 }
 
-/// Fixes the target, and asks. Returns the target that the question names.
+/// Determines the target, and asks. Returns the target that the question names.
 MoveTarget ask(const MoveCommand& command, Client& client) {
   const Axes<msg::Angle14> now = angles_of(value_of(Result<msg::GetAngles>(client.get_angles())));
   const MoveTarget target = target_of(command, now);
@@ -84,7 +84,7 @@ void move_and_wait(const MoveCommand& command, const CommandContext& context, Mo
   remark("The camera is at {}.\n", angles_text(target, *moved));
 }
 
-/// Without a guard: a target is where the camera stops by itself.
+/// Without a guard: the camera stops at its target by itself.
 void begin_to_move(const MoveCommand& command, const CommandContext& context, MoveOptions options) {
   Client client = connect(context.gimbal);
   require_motors(client);
@@ -102,7 +102,7 @@ int move(const MoveCommand& command, const CommandContext& context) {
     throw CommandError("--speed must be positive; 0 would select the speed in the parameters",
                        wrong_usage);
   }
-  static_cast<void>(target_of(command, {}));  // finds what is too far, before anything is asked
+  static_cast<void>(target_of(command, {}));  // detects angles out of range before asking
   if (command.wait) {
     move_and_wait(command, context, options);
   } else {

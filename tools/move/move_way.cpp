@@ -16,7 +16,7 @@ namespace sbgc::tools {
 
 namespace {
 
-/// Angles in sentences: numbers that were rounded before still add up.
+/// Resolution of angles in sentences: numbers that are rounded first still add up.
 constexpr int tenths_of_degree = 10;
 constexpr int half_turn = 180 * tenths_of_degree;
 constexpr int two_turns = 720 * tenths_of_degree;
@@ -28,7 +28,7 @@ std::string number(int tenths) {
   return fmt::format("{:g}", static_cast<double>(tenths) / tenths_of_degree);
 }
 
-/// From `from` to `to`, as boards turn.
+/// Returns the turn from `from` to `to` that boards make.
 int way(int from, int to) {
   const int difference = to - from;
   if (difference > two_turns) return difference - 2 * two_turns;
@@ -36,7 +36,7 @@ int way(int from, int to) {
   return difference;
 }
 
-/// An angle in words, such as "40 down"; a number with its sign if its direction is not known.
+/// Describes an angle, such as "40 down"; a signed number if its direction is not known.
 std::string place(std::size_t axis, int angle) {
   const AxisDirection& ways = axis_directions[axis];
   const char* const direction = angle < 0 ? ways.negative : ways.positive;
@@ -44,7 +44,7 @@ std::string place(std::size_t axis, int angle) {
   return number(std::abs(angle)) + ' ' + direction;
 }
 
-/// For example "up by 30".
+/// Returns, for example, "up by 30".
 std::string turn(std::size_t axis, int by) {
   const AxisDirection& ways = axis_directions[axis];
   const char* const direction = by < 0 ? ways.negative : ways.positive;

@@ -15,15 +15,15 @@
 
 namespace sbgc::tools {
 
-/// A gimbal whose camera a command moves. From begins_to_move() on, it has a guard, and signals do
-/// not end the program; the motion must end when must_stop() says so.
+/// A gimbal whose camera a command moves. After begins_to_move(), it has a guard, and signals do
+/// not end the program; the motion must end when must_stop() returns true.
 class MovingGimbal {
  public:
   /// Connects. Throws CommandError, also if the motors are off or no guard can hold the line.
   explicit MovingGimbal(const GimbalOptions& options);
   MovingGimbal(const MovingGimbal&) = delete;
   MovingGimbal& operator=(const MovingGimbal&) = delete;
-  /// Leaves a camera that may still turn to the guard.
+  /// Leaves a camera that may still be turning to the guard.
   ~MovingGimbal();
 
   Client& client() noexcept { return *client_; }
@@ -31,13 +31,13 @@ class MovingGimbal {
   /// Starts the guard. Call this before the first command that moves the camera. If this process
   /// dies, the guard also writes the parameters `restored`. Throws CommandError.
   void begins_to_move(AfterStop after, const ParameterSet& restored = {});
-  /// The camera has stopped.
+  /// Reports that the camera has stopped.
   void has_stopped();
-  /// Ends a motion that went wrong: stops the camera, unless it is in other hands, and ends the
+  /// Ends a failed motion: stops the camera, unless something else controls it, and ends the
   /// command with `problem`, or with the reason of must_stop().
   [[noreturn]] void give_up(const ClientError& problem);
 
-  /// True if a signal asks the command to end, or the guard has ended.
+  /// True if a signal requests the end of the command, or the guard has ended.
   bool must_stop() const;
   /// Waits until must_stop(), or for `time`, or until `descriptor` is readable. Returns true for
   /// the last reason.
@@ -61,8 +61,8 @@ Result<bool> are_motors_on(Client& client);
 /// camera does not turn. Throws CommandError.
 void require_motors(Client& client);
 
-/// Returns the names of the current errors of the board, such as "ERR_LOW_BAT1"; "" if there
-/// are none or it does not tell.
+/// Returns the names of the current errors of the board, such as "ERR_LOW_BAT1"; "" if there are
+/// none or it does not report them.
 std::string current_errors(Client& client);
 
 }  // namespace sbgc::tools

@@ -12,12 +12,12 @@ Task<Result<void>> turn_motors_off(AnyMessage request) {
   co_return Result<void>();
 }
 
-/// True if the board has answered, but the camera turns on.
+/// True if the board has answered, but the camera keeps turning.
 bool is_refusal(ErrorCode code) {
   return code == ErrorCode::interrupted || code == ErrorCode::board_error;
 }
 
-/// True if no attempt can succeed, or if something later moves the camera.
+/// True if no attempt can succeed, or if something else moves the camera later.
 bool ends_attempts(ErrorCode code) {
   return code == ErrorCode::unsupported || code == ErrorCode::invalid ||
          code == ErrorCode::superseded;

@@ -1,4 +1,4 @@
-/// A stop that has been commanded, and has not been seen yet.
+/// A stop that has been commanded, but not verified yet.
 #pragma once
 
 #include <chrono>
@@ -11,9 +11,9 @@
 
 namespace sbgc::tools {
 
-/// Stays owed until the camera has come to rest or, for motors off, until the board has confirmed
-/// them: over silence, and over the loss of the line. Who owes it makes one attempt after the
-/// other, and tells how each has ended.
+/// Remains owed until the camera has come to rest or, for motors off, until the board has confirmed
+/// it: even during silence and after the loss of the line. Its owner makes one attempt after the
+/// other, and reports the result of each.
 class OwedStop {
  public:
   using Clock = std::chrono::steady_clock;
@@ -22,30 +22,30 @@ class OwedStop {
   enum class State : std::uint8_t {
     owed,
     done,
-    failed,  ///< something else turns the camera, and will go on
+    failed,  ///< something else keeps turning the camera
   };
 
-  /// So long, the camera of a board that answers may turn on; and so long, who has commanded the
-  /// stop waits for a result.
+  /// The time for which the camera of an answering board may keep turning, and for which the sender
+  /// of the stop waits for a result.
   static constexpr std::chrono::milliseconds patience{3'000};
-  /// The motors lose their power within this time of the command, or the camera only stops.
+  /// Motors that are not off this long after the command are not turned off; the camera is stopped.
   static constexpr std::chrono::seconds longest_motors_off{10};
 
   OwedStop() = default;
-  /// Motors off. `request` turns them off.
+  /// Motors off; `request` turns them off.
   explicit OwedStop(AnyMessage request, Time now = Clock::now())
       : motors_off_(std::move(request)), end_of_motors_off_(now + longest_motors_off) {}
 
-  /// The next attempt; its success means that the stop is done.
+  /// Makes the next attempt; its success means that the stop is done.
   Task<Result<void>> attempt(Time now = Clock::now());
   /// True if the last attempt was for the motors.
   bool turns_motors_off() const noexcept { return motors_off_.has_value(); }
-  /// The attempt that began at `began` has ended.
+  /// Processes the result of the attempt that began at `began`.
   State take(const Result<void>& ended, Time began, Time now = Clock::now());
 
-  /// Somebody else may control the camera by now: if it stands, it is left alone.
+  /// Something else may control the camera by now: if it stands still, it is left alone.
   void line_lost() noexcept { reads_first_ = true; }
-  /// Motors that have been switched on again are not turned off.
+  /// Motors that have been turned on again are not turned off.
   void board_restarted() noexcept {
     motors_off_.reset();
     reads_first_ = true;

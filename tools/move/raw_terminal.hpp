@@ -1,4 +1,4 @@
-/// Keys of a terminal, as they are pressed.
+/// Reading key presses from a terminal.
 #pragma once
 
 #include <optional>
@@ -14,8 +14,8 @@ struct KeyPress {
   char character{};  ///< for Key::character
 };
 
-/// The terminal on standard input, without echo, and without waiting for lines. Keys such as Ctrl-C
-/// are characters. Restores the terminal at its end.
+/// The terminal on standard input, without echo and line buffering. Keys such as Ctrl-C are
+/// characters. Restores the terminal on destruction.
 class RawTerminal {
  public:
   RawTerminal();

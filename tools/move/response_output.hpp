@@ -15,7 +15,7 @@ struct NamedResponse {
   analysis::FrequencyResponse response{};
 };
 
-/// Hz between the frequencies of the response of this recording.
+/// Returns the distance of the frequencies in the response of this recording, in Hz.
 double resolution_of(const msg::BodeTestStartStopRequest& request);
 /// True if the response has a frequency in the range of the recording.
 bool has_frequencies(const msg::BodeTestStartStopRequest& request);
@@ -23,7 +23,7 @@ bool has_frequencies(const msg::BodeTestStartStopRequest& request);
 /// The response between the frequencies of the recording, at most 500 Hz.
 analysis::FrequencyResponse response_of(const BodeRecording& recording);
 
-/// A line for each frequency: frequency, gain, phase, and coherence or "-".
+/// Returns a line for each frequency: frequency, gain, phase, and coherence or "-".
 std::string response_table(const analysis::FrequencyResponse& response);
 
 /// Draws gain, phase and coherence over the frequency, a color for each response.

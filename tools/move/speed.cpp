@@ -52,7 +52,7 @@ Result<void> turn(const MovingGimbal& gimbal, SpeedControl& control,
   return control.wait();
 }
 
-/// True if an axis that was to turn, or its target, is elsewhere.
+/// True if an axis that should turn, or its target, has moved.
 bool has_turned(const AxisNumbers& speeds, const msg::GetAngles& before,
                 const msg::GetAngles& after) {
   constexpr double noise = 0.05;
@@ -68,10 +68,10 @@ bool has_turned(const AxisNumbers& speeds, const msg::GetAngles& before,
   return false;
 }
 
-/// A SpeedControl that turns for longer than this has looked whether the camera does.
+/// After this time, a SpeedControl has checked that the camera turns.
 constexpr std::chrono::seconds long_enough{1};
 
-/// Warns of turns that twist cables.
+/// Returns a warning about turns that twist cables.
 std::string cables_text(const SpeedCommand& command) {
   constexpr double half_turn = 180;
   std::string result;
@@ -109,7 +109,7 @@ int turn_at_speed(const SpeedCommand& command, const CommandContext& context) {
   }
   if (!turned) gimbal.give_up(turned.error());
   gimbal.has_stopped();
-  // Ctrl-C is the usual end of a motion without a time.
+  // Ctrl-C is the usual end of a motion without a duration.
   if (gimbal.must_stop() && (command.time || !was_interrupted_by_key())) gimbal.give_up({});
   const bool turns = !(speed == Axes<msg::ControlSpeed>{});
   if (turns && Clock::now() - start < long_enough + StopOptions{}.rest) {

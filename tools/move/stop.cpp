@@ -33,16 +33,16 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds usual_time{10'000};
-/// For a connection, however little is left.
+/// The minimum time for a connection attempt.
 constexpr std::chrono::milliseconds least_time{1'000};
 constexpr std::chrono::milliseconds pause{100};
 
-/// Says each second what is being done, on a thread of its own, which also ends the process when a
-/// signal asks for it: the attempts block.
+/// Reports the present action each second, on its own thread, which also ends the process when a
+/// signal requests it: the attempts block.
 class Reporter {
  public:
   Reporter() : thread_([this](const std::stop_token& end) { run(end); }) {
-    std::signal(SIGHUP, SIG_IGN);  // a terminal that closes does not keep the camera turning
+    std::signal(SIGHUP, SIG_IGN);  // a closing terminal must not keep the camera turning
   }
   Reporter(const Reporter&) = delete;
   Reporter& operator=(const Reporter&) = delete;
@@ -79,7 +79,7 @@ class Reporter {
   std::jthread thread_;
 };
 
-/// True if it does not help to try again. `detail` is the error number of the system.
+/// True if retrying is pointless. `detail` is the error number of the system.
 bool is_hopeless(const ClientError& error) {
   constexpr std::array causes{EACCES, EPERM, ENOENT, ENODEV, ENXIO, ENOTTY};
   return error.code == ErrorCode::invalid || error.code == ErrorCode::unsupported ||

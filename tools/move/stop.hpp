@@ -1,4 +1,4 @@
-/// Stopping the camera however the line is.
+/// Stopping the camera whatever the state of the line.
 #pragma once
 
 #include <chrono>
@@ -16,10 +16,10 @@ namespace sbgc::tools {
 /// Adds --for.
 void add_insistence(CLI::App& command, std::optional<std::chrono::milliseconds>& time);
 
-/// Connects, and makes attempts at `owed` until it is done or for `time`, which is 10 s if it is
-/// not given; 0 is one attempt. Says each second what it does. Ctrl-C and SIGTERM end the process.
-/// Returns the client. Throws CommandError if the camera may still turn; at once if there is no
-/// such device, or no permission for it.
+/// Connects, and attempts the stop `owed` until it is done or `time` is over, which is 10 s by
+/// default; 0 means one attempt. Reports its actions each second. Ctrl-C and SIGTERM end the
+/// process. Returns the client. Throws CommandError if the camera may still be turning; at once if
+/// there is no such device, or no permission for it.
 Client insist(const LineChoice& line, OwedStop owed, std::optional<std::chrono::milliseconds> time);
 
 }  // namespace sbgc::tools

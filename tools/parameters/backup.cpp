@@ -39,7 +39,7 @@ std::string board_text(const BoardIdentity& board) {
   return fmt::format("board {}, firmware {}", board.board_version(), board.firmware_version());
 }
 
-/// Returns a name that no file has yet: that of `file` with the time in it.
+/// Returns an unused file name: that of `file` with the time in it.
 std::string dated_name(const std::filesystem::path& file, const char* what) {
   std::string time = utc_now();
   std::erase_if(time, [](char c) { return c == '-' || c == ':'; });
@@ -92,7 +92,7 @@ struct RestoreChoice {
   Arming arming{};
 };
 
-/// The option that allows what was refused.
+/// Returns the option that allows the rejected operation.
 std::string refusal_hint(const Backup& backup, const ClientError& error) {
   if (error.code == ErrorCode::incompatible) {
     return "; --other-model and --other-firmware allow that, at your own risk";
@@ -118,8 +118,8 @@ int restore_file(const RestoreChoice& options, const CommandContext& context) {
   if (file.vendor) {
     const ChosenProfile profile = choose_profile(client, options.profile);
     if (file.is_of_one_profile()) where = fmt::format("{} of {}", profile.text(), where);
-    backup.board.info.frw_extra_id = client.identity().info.frw_extra_id;  // the file lacks it
-    // Before its names are looked up: they may stand for something else on another board.
+    backup.board.info.frw_extra_id = client.identity().info.frw_extra_id;  // not in the file
+    // Before its names are looked up: they may denote something else on another board.
     if (const auto fits = check_fit(client.identity(), backup.board, restoring); !fits) {
       fail({fits.error().code, fits.error().message + refusal_hint(backup, fits.error())});
     }
@@ -230,7 +230,7 @@ int compare_with_defaults(const DiffOptions& options, const CommandContext& cont
   require_possible(client, msg::UseDefaults{});
   const ChosenProfile profile = choose_profile(client, options.profile);
   const std::size_t active = value_of(client.active_profile());
-  // The last profile that the board does not work with.
+  // The last profile that is not active.
   const std::size_t spare = active + 1 == profile_count ? profile_count - 2 : profile_count - 1;
   const std::string save_to = dated_name("parameters.json", "before-defaults");
   arm(options.arming,
@@ -264,7 +264,7 @@ int compare_with_defaults(const DiffOptions& options, const CommandContext& cont
                             "the factory defaults", profile.text());
 }
 
-/// Returns the file as a backup. What a file of the vendor's program does not hold is as in
+/// Converts the file to a backup. Values that a file of the vendor's program lacks are taken from
 /// `other`.
 Backup as_backup(ParametersFile& file, const Backup& other, std::uint8_t target) {
   Backup result = file.backup;
@@ -294,7 +294,7 @@ int compare(const DiffOptions& options, const CommandContext& context) {
     if (files[0].vendor && files[1].vendor) {
       const Availability versions = base.board.versions();
       base.parameters = empty_parameters({versions.firmware, versions.board});
-      base = as_backup(files[0], base, target);  // what only one of them holds is in both
+      base = as_backup(files[0], base, target);  // values that only one of them holds are in both
     }
     after = as_backup(files[1], base, target);
     before = as_backup(files[0], after, target);
@@ -333,7 +333,7 @@ struct ResetChoice {
   Arming arming{};
 };
 
-/// For example "profile 1 is" or "profiles 1, 2 are".
+/// Returns, for example, "profile 1 is" or "profiles 1, 2 are".
 std::string profiles_are(const std::vector<std::size_t>& profiles) {
   std::string numbers;
   for (const std::size_t profile : profiles) {
@@ -347,9 +347,9 @@ std::string reset_text(const std::vector<std::size_t>& profiles) {
   return profiles.empty() ? "no profile is reset" : profiles_are(profiles) + " reset";
 }
 
-/// Sets profiles to the factory defaults, and returns all parameters from then. If that fails or is
-/// interrupted, the error names the profiles that are reset, and the backup. Profiles of which
-/// nothing shows that they are reset become `unknown`.
+/// Sets profiles to the factory defaults, and returns all resulting parameters. On failure or
+/// interruption, the error names the profiles that are reset, and the backup. Profiles whose state
+/// is uncertain become `unknown`.
 Backup reset_profiles(Client& client, const std::vector<std::size_t>& profiles,
                       const Backup& before, const std::string& saved_to,
                       std::vector<std::size_t>& unknown, const CommandContext& context) {

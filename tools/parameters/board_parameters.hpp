@@ -13,7 +13,7 @@
 
 namespace sbgc::tools {
 
-/// The option --profile. Profiles are counted from 1, as people do.
+/// The option --profile. Profiles are counted from 1 for users.
 struct ProfileOption {
   std::optional<unsigned> number{};
 };
@@ -31,21 +31,21 @@ struct ChosenProfile {
 /// Returns the profile of the option, or the active one. Throws CommandError.
 ChosenProfile choose_profile(Client& client, const ProfileOption& option);
 
-/// Reads the parameters for which `wanted` holds; all of them, if it is empty. Shows the progress.
-/// Throws CommandError.
+/// Reads the parameters for which `wanted` holds; all if it is empty. Shows the progress. Throws
+/// CommandError.
 ParameterSet read_parameters(Client& client, std::function<bool(const ParametersId&)> wanted = {});
 
-/// Returns the changes that the report wants, a line for each; "" if there are none.
+/// Returns the changes that the report lists, a line for each; "" if there are none.
 std::string changes_text(const WriteReport& report);
 
 /// The same for the differences of two sets of parameters.
 std::string changes_text(const std::vector<ParametersChange>& changes);
 
-/// Returns the number of values that the report wants to change.
+/// Returns the number of values that the report lists for change.
 std::size_t change_count(const WriteReport& report);
 
-/// Ends the command, after it has printed what the board holds now, if writing failed. Without
-/// `hint` the message is that of the library.
+/// If writing failed, prints the present values of the board and ends the command. Without `hint`
+/// the message is that of the library.
 void check_outcome(const WriteReport& report, const std::string& hint = "");
 
 }  // namespace sbgc::tools

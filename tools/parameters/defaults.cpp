@@ -20,7 +20,7 @@ namespace sbgc::tools {
 
 namespace {
 
-/// Puts the block into `set` as that of another profile.
+/// Adds the block to `set` for a different profile.
 Result<void> put_for(ParameterSet& set, const Parameters& block, std::uint8_t profile) {
   AnyMessage message = message_in(block);
   for (const FieldType& field : message.type().fields()) {
@@ -30,8 +30,8 @@ Result<void> put_for(ParameterSet& set, const Parameters& block, std::uint8_t pr
   return put_message(set, {block.id.message, profile}, message);
 }
 
-/// Returns the file for the defaults of a board; "" without a folder for it. Files of other names
-/// are of versions that kept what no board had confirmed.
+/// Returns the file for the defaults of a board; "" without a folder for it. Files with other names
+/// are from versions that stored unconfirmed values.
 std::filesystem::path defaults_file(const BoardIdentity& board) {
   const char* const cache = std::getenv("XDG_CACHE_HOME");
   const char* const home = std::getenv("HOME");
@@ -43,7 +43,7 @@ std::filesystem::path defaults_file(const BoardIdentity& board) {
                      board.serial_number());
 }
 
-/// Throws CommandError if parameters are not as before.
+/// Throws CommandError if parameters were not restored.
 void check_way_back(const WriteReport& report) {
   if (report) return;
   std::string missing;
@@ -83,7 +83,7 @@ ParameterSet kept_defaults(const BoardIdentity& board) {
 ParameterSet read_defaults(Client& client, const Backup& before, std::uint8_t profile,
                            const CallOptions& options) {
   const CutShort second;
-  // Written back also if that fails or is interrupted.
+  // Written back even if that fails or is interrupted.
   const Result<ParameterSet> defaults =
       client.run(find_defaults(profile, before.parameters, options));
   const auto goes_on = [](const Progress&) { return !was_cut_short(); };
@@ -113,7 +113,7 @@ Task<Result<ParameterSet>> read_profile(std::uint8_t profile) {
   return tasks::read_parameters(reading);
 }
 
-/// True if a block has other parameters in the two sets. State of the board does not count.
+/// True if a block has different parameters in the two sets. State of the board does not count.
 bool differ(const ParameterSet& a, const ParameterSet& b) {
   for (const ParametersChange& change : diff(a, b)) {
     if (change.kind == ParametersChange::Kind::changed) return true;

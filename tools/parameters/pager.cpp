@@ -15,14 +15,14 @@ namespace sbgc::tools {
 
 namespace {
 
-/// The command line of the pager; "" for none.
+/// Returns the command line of the pager; "" for none.
 std::string pager() {
   if (!is_terminal(stdout) || is_dumb_terminal()) return "";
   if (const char* const chosen = std::getenv("PAGER")) return chosen;
   return "if command -v less >/dev/null; then exec less -FRX; else exec cat; fi";
 }
 
-/// Ignores the signals of a pager that ends before the text, and of Ctrl-C, which is for the pager.
+/// Ignores SIGPIPE from a pager that ends early, and Ctrl-C, which is for the pager.
 class SignalsOfPager {
  public:
   SignalsOfPager() {
@@ -49,7 +49,7 @@ void print_paged(const std::string& text) {
   const SignalsOfPager signals;
   std::fwrite(text.data(), 1, text.size(), pipe);
   const int status = ::pclose(pipe);
-  constexpr int not_found = 127;  // the shell says so
+  constexpr int not_found = 127;  // exit status of the shell
   if (WIFEXITED(status) && WEXITSTATUS(status) == not_found) fmt::print("{}", text);
 }
 

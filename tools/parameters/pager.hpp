@@ -1,12 +1,12 @@
-/// Long texts on a terminal.
+/// Paging of long texts on a terminal.
 #pragma once
 
 #include <string>
 
 namespace sbgc::tools {
 
-/// Prints text. If standard output is a terminal, with the pager: $PAGER, else `less -FRX` if there
-/// is one.
+/// Prints text. If standard output is a terminal, uses the pager: $PAGER, or `less -FRX` if
+/// available.
 void print_paged(const std::string& text);
 
 }  // namespace sbgc::tools

@@ -1,4 +1,4 @@
-/// The blocks of parameters that a board has.
+/// The blocks of parameters of a board.
 #pragma once
 
 #include <cstdint>
@@ -18,10 +18,10 @@ struct ParameterMessage {
 /// All of them, in the order of the specification's families.
 const std::vector<ParameterMessage>& parameter_messages();
 
-/// Returns how many copies the board has of such a block.
+/// Returns the number of copies of such a block on the board.
 std::uint8_t copy_count(const ParametersId& id);
 
-/// True for a parameter: neither the state of a board, nor reserved.
+/// True for a parameter: neither state of a board, nor reserved.
 bool is_settable(const FieldInfo& field);
 
 /// Returns the message with the values of a block of a ParameterSet.

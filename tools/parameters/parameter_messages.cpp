@@ -164,16 +164,16 @@ Json to_json(const ShownParameter& parameter) {
 
 namespace {
 
-/// True if what is written has another meaning on later boards.
+/// True if the meaning of the written value depends on the firmware.
 bool depends_on_firmware(const FieldValue& value) {
   const FieldInfo* const info = value.field.type->innermost().info;
   return info != nullptr && !info->later.empty();
 }
 
-/// True if what is written depends on the present value.
+/// True if the written value depends on the present one.
 bool changes_present(const FieldValue& value) { return value.change != Change::set; }
 
-/// Returns the values that the block with this id gets: general ones in every profile.
+/// Returns the values for the block with this id: general ones for every profile.
 std::vector<FieldValue> values_in(const MessageValues& one, const ParametersId& id,
                                   std::uint8_t profile) {
   if (one.message->copies == 1 || id.copy == profile) return one.values;

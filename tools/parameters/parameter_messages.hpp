@@ -1,4 +1,4 @@
-/// The parameters of a board by name, as values, and as people read and write them.
+/// The parameters of a board by name, as raw and as readable values.
 #pragma once
 
 #include <algorithm>
@@ -31,15 +31,15 @@ struct ShownParameter {
   std::optional<double> value{};  ///< of a number, in its unit
   std::string unit{};
   std::size_t bytes{};  ///< of bytes without a meaning as numbers; 0 for others
-  bool is_special{};    ///< the raw value has a meaning of its own
+  bool is_special{};    ///< the raw value has a special meaning
   bool is_general{};
   std::string summary{};
   std::vector<const TopicReference*> topics{};  ///< its own first
-  std::string other_default{};  ///< the text of the factory default, if it is known and another
+  std::string other_default{};  ///< the text of the factory default, if it is known and differs
 
-  /// For example "-30 deg", "FOLLOW_MODE_FC" or "12".
+  /// Returns, for example, "-30 deg", "FOLLOW_MODE_FC" or "12".
   std::string text() const;
-  /// The same, with the beginning of many bytes only: "00ff12… (128 bytes)".
+  /// The same, truncated for many bytes: "00ff12… (128 bytes)".
   std::string short_text() const;
 };
 
@@ -48,20 +48,20 @@ std::vector<ShownParameter> shown_parameters(const Parameters& block, const Avai
 
 Json to_json(const ShownParameter& parameter);
 
-/// The parameters that a name means: fields of one message.
+/// The parameters that a name denotes: fields of one message.
 struct FoundParameters {
   const ParameterMessage* message = nullptr;
   std::vector<FoundField> fields{};
 };
 
-/// Finds parameters by path, by the end of a path, or by the name in the specification; with the
-/// name of the message in front if several have it. Throws ValueError, with suggestions.
+/// Finds parameters by path, by the end of a path, or by the name in the specification; preceded by
+/// the name of the message if several have it. Throws ValueError, with suggestions.
 FoundParameters find_parameters(std::string_view name);
 
 /// Returns the first message with a parameter that has all the words, or null.
 const ParameterMessage* find_parameter_message(const Query& query);
 
-/// End the command, because the board does not have the field, or none of the message. Throw
+/// End the command, because the board lacks the field, or all fields of the message. Throw
 /// CommandError.
 [[noreturn]] void fail_lacking(const FoundField& field);
 [[noreturn]] void fail_lacking(const ParameterMessage& message);
@@ -82,11 +82,11 @@ struct MessageValues {
   }
 };
 
-/// Returns the values by message. Reads each on a new message first, so that most mistakes are
+/// Returns the values by message. Parses each for a new message first, so that most mistakes are
 /// found without a board. Throws ValueError.
 std::vector<MessageValues> values_of(const std::vector<Assignment>& assignments, bool no_validate);
 
-/// True if the block with this id gets some of the values.
+/// True if some of the values are for the block with this id.
 bool concerns(const MessageValues& one, const ParametersId& id, std::uint8_t profile);
 
 /// Returns the blocks of `present` with the values. Throws CommandError if the board lacks one of

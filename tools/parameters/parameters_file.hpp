@@ -1,4 +1,4 @@
-/// Files with parameters: backups, and what the vendor's program saves.
+/// Files with parameters: backups, and files of the vendor's program.
 #pragma once
 
 #include <optional>
@@ -16,14 +16,14 @@ struct ParametersFile {
   Backup backup{};                     ///< of a file of the vendor's program, only the board
   std::optional<VendorFile> vendor{};  ///< of the vendor's program
 
-  /// True if it is for one profile, which the user chooses.
+  /// True if it is for one profile, which the user selects.
   bool is_of_one_profile() const { return vendor && vendor->profiles.size() == 1; }
 
-  /// Returns the values in the file, with those of `present` for what a file of the vendor's
-  /// program does not hold; names on the standard error what is not taken. Throws CommandError.
+  /// Returns the values in the file; values that a file of the vendor's program lacks are taken
+  /// from `present`. Lists ignored names on standard error. Throws CommandError.
   VendorValues values(const ParameterSet& present, std::uint8_t target);
 
-  bool has_told = false;  ///< what is not taken
+  bool has_told = false;  ///< the ignored names were listed
 };
 
 /// True if the word is the name of such a file: it ends in .json or .profile.

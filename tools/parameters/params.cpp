@@ -34,7 +34,7 @@ struct SetOptions {
   Arming arming{};
 };
 
-/// True if the change is one of a parameter that is the same in all profiles.
+/// True if the change concerns a parameter that is the same in all profiles.
 bool is_of_general(const FieldChange& change, const std::vector<MessageValues>& values) {
   for (const MessageValues& one : values) {
     for (const FieldValue& value : one.values) {
@@ -46,7 +46,7 @@ bool is_of_general(const FieldChange& change, const std::vector<MessageValues>& 
   return false;
 }
 
-/// For example "2 parameters of profile 1, which is active"; a general parameter counts once.
+/// Returns, e.g., "2 parameters of profile 1, which is active"; a general parameter counts once.
 std::string what_is_written(const WriteReport& plan, const std::vector<MessageValues>& values,
                             const ChosenProfile& profile) {
   std::set<std::string> general;
@@ -84,7 +84,7 @@ int set_parameters(const SetOptions& options, const CommandContext& context) {
   });
   const ParameterSet wanted =
       with_values(present, values, profile.index, client.identity().versions());
-  // All checks, before the user is asked.
+  // All checks come before the question to the user.
   const WriteReport plan =
       client.write_parameters(wanted, {.dry_run = true, .validate = !options.no_validate});
   if (!plan) fail(plan.outcome.error());

@@ -56,7 +56,7 @@ bool fits(const ShownParameter& parameter, const Query& query) {
   return query.fits(name, parameter.summary, parameter.topics, true);
 }
 
-/// Leaves those that have all the words or, if none has, that the only word names, such as P_PITCH.
+/// Keeps those that contain all words or, if none does, that the only word names, such as P_PITCH.
 void keep_wanted(std::vector<ShownParameter>& parameters, const std::vector<std::string>& words) {
   const std::string text = fmt::format("{}", fmt::join(words, " "));
   const Query query(text);
@@ -68,7 +68,7 @@ void keep_wanted(std::vector<ShownParameter>& parameters, const std::vector<std:
   try {
     if (words.size() == 1) named = find_parameters(words.front());
   } catch (const ValueError&) {
-    named = {};  // it is no name
+    named = {};  // it is not a name
   }
   std::erase_if(parameters, [&](const ShownParameter& parameter) {
     return std::ranges::none_of(named.fields, [&](const FoundField& field) {
@@ -82,7 +82,7 @@ void keep_wanted(std::vector<ShownParameter>& parameters, const std::vector<std:
                                  clipped(text)));
 }
 
-/// Leaves those that differ from the factory defaults, and says from what.
+/// Keeps those that differ from the factory defaults, and shows the defaults.
 void keep_changed(std::vector<ShownParameter>& parameters,
                   const std::vector<ParametersChange>& changes) {
   const auto is_default = [&](ShownParameter& parameter) {
@@ -113,7 +113,7 @@ std::vector<const ShownParameter*> parameters_of(const TopicReference& topic,
   return result;
 }
 
-/// Names the messages that the parameters are part of.
+/// Lists the messages that contain the parameters.
 std::string messages_of(const std::vector<const ShownParameter*>& parameters) {
   std::vector<std::string> names;
   for (const ShownParameter* const parameter : parameters) {
@@ -152,7 +152,7 @@ std::string table_of(const std::vector<ShownParameter>& parameters) {
   return result;
 }
 
-/// Shows the parameters, those that differ from the defaults, if there are some.
+/// Shows the parameters, or with defaults, only those that differ from them.
 int print_parameters(const ShowOptions& options, const ChosenProfile& profile,
                      const std::string& title, std::vector<ShownParameter> parameters,
                      const std::vector<ParametersChange>* changes = nullptr) {
@@ -167,7 +167,7 @@ int print_parameters(const ShowOptions& options, const ChosenProfile& profile,
   return success;
 }
 
-/// Returns the profile that the backed up board worked with.
+/// Returns the profile that was active in the backup.
 std::uint8_t active_in(const ParameterSet& set) {
   const auto first = set.get<msg::ReadParams3>(0);
   return first && first->cur_profile_id < profile_count ? first->cur_profile_id : std::uint8_t{0};

@@ -54,7 +54,7 @@ const VariableInfo& variable_named(const std::string& name) {
                      wrong_usage);
 }
 
-/// The variable as a field with this unit, for the reading of values.
+/// Describes the variable as a field with this unit, for parsing values.
 FieldType field_of(const VariableInfo& variable, const UnitInfo& unit, FieldInfo& info) {
   info.range = &variable.range;
   return {.info = &info,
@@ -69,8 +69,7 @@ std::string range_of(const VariableInfo& variable, const UnitInfo& unit) {
   return range_text(field_of(variable, unit, info));
 }
 
-/// Returns the raw value that a text means on a board with these versions, in the unit. Throws
-/// ValueError.
+/// Returns the raw value for a text in the unit, on a board with these versions. Throws ValueError.
 double read_value(const VariableInfo& variable, const std::string& text,
                   const Availability& versions) {
   FieldInfo info;
@@ -81,7 +80,7 @@ double read_value(const VariableInfo& variable, const std::string& text,
   return unit.real(raw != nullptr ? static_cast<double>(*raw) : std::get<double>(parsed.value));
 }
 
-/// Returns the raw value that an assignment means if the variable has a value now. Throws
+/// Returns the raw value that results from an assignment to a variable with a present value. Throws
 /// ValueError.
 double read_value(const VariableInfo& variable, const Assignment& assignment, double present,
                   const Availability& versions) {
@@ -147,7 +146,7 @@ int print_variables(const VariablesToShow& options, const CommandContext& contex
   return success;
 }
 
-/// The sentences of the arming.
+/// Returns the sentences for the confirmation.
 std::string what_happens(std::size_t changes, bool is_saved) {
   constexpr const char* saving =
       "all parameters in use to the active profile, so that they survive a restart";

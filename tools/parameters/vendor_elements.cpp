@@ -12,7 +12,7 @@ namespace sbgc::tools {
 
 namespace {
 
-// Each limit is at least three times what a file with five profiles needs.
+// Each limit is at least three times the need of a file with five profiles.
 constexpr std::size_t longest_name = 64;
 constexpr std::size_t deepest_element = 8;
 constexpr std::size_t most_values = 20'000;
@@ -22,7 +22,7 @@ constexpr const char* root_element = "saved-configuration";
 constexpr const char* common_element = "board-params";
 constexpr const char* profile_element = "profile";
 
-/// True for an element of a list: a type of Java, or the name of a class, which has hyphens.
+/// True for an element of a list: a Java type, or the name of a class, which has hyphens.
 bool is_list_element(std::string_view name) {
   constexpr std::array types{"boolean", "bool",  "byte",   "short", "int",
                              "long",    "float", "double", "char",  "string"};

@@ -10,15 +10,15 @@ namespace sbgc::tools {
 
 namespace {
 
-// At least three times what a file with five profiles needs.
+// At least three times the size of a file with five profiles.
 constexpr std::size_t longest_text = std::size_t{1} << 20U;
 
-/// The elements, and the parser that names lines.
+/// The elements, and the parser that reports lines.
 struct XmlReading {
   VendorElements elements{};
   XML_Parser parser{};
 
-  /// Calls `take(elements)`. A problem ends the parsing, and names its line.
+  /// Calls `take(elements)`. A problem ends parsing, and names its line.
   template <class Take>
   static void pass(void* user, Take take) {
     XmlReading& self = *static_cast<XmlReading*>(user);

@@ -1,4 +1,4 @@
-/// The files that the vendor's program saves parameters to: XML, usually named .profile.
+/// The files in which the vendor's program saves parameters: XML, usually named .profile.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,7 @@
 
 namespace sbgc::tools {
 
-/// The contents of a file under one name: one value, or the elements of a list in the order of the
-/// file.
+/// The contents of a file under one name: one value, or the elements of a list in file order.
 struct SavedValue {
   std::string name{};  ///< in a section, such as "extIMU/type"
   std::vector<std::string> values{};
@@ -27,14 +26,13 @@ struct VendorFile {
   std::vector<SavedSection> profiles{};
 };
 
-/// Takes the elements and texts in the order of the file. After the first problem, it takes
-/// nothing.
+/// Processes the elements and texts in file order. After the first problem, it ignores everything.
 class VendorElements {
  public:
   void open(std::string_view name);
   void text(std::string_view characters) { text_ += characters; }
   void close();
-  /// Notes a problem, unless there is one.
+  /// Records a problem, unless there is one already.
   void fail(std::string_view reason);
   bool has_failed() const { return !problem_.empty(); }
   /// Returns the contents. Errors: `bad_file`.
@@ -63,8 +61,8 @@ class VendorElements {
   std::string problem_{};
 };
 
-/// Parses the XML. Document types, and so entities, are refused; size, depth, the length of a name
-/// and the number of values are limited. Fails with ErrorCode::bad_file.
+/// Parses the XML. Document types, and thus entities, are rejected; size, depth, the length of a
+/// name and the number of values are limited. Fails with ErrorCode::bad_file.
 Result<VendorFile> parse_vendor_file(std::string_view text);
 
 }  // namespace sbgc::tools

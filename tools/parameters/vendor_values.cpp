@@ -27,7 +27,7 @@ constexpr const char* other_count = "another number of values is expected";
 constexpr const char* contradiction = "<board-params> and <profile>, or the profiles, differ";
 constexpr const char* later_firmware = "the firmware of the file does not have them yet";
 
-/// The bits of a parameter that a name in a file stands for.
+/// The bits of a parameter that a name in a file denotes.
 struct SavedPlace {
   const ParameterMessage* message{};
   std::string path{};
@@ -38,7 +38,7 @@ struct SavedPlace {
   const char* doubt{};
 };
 
-/// Letters and digits of a name, without case; without an index in braces.
+/// Returns the letters and digits of a name in lower case, without an index in braces.
 std::string plain_name(std::string_view name) {
   std::string result;
   bool is_index = false;
@@ -89,7 +89,7 @@ void add_saved_places(SavedPlaces& places, const ParameterMessage& message, cons
   places[plain].push_back(std::move(place));
 }
 
-/// Returns what the names in files of a board with these versions stand for.
+/// Returns what the names in files denote for a board with these versions.
 SavedPlaces places_of(const Availability& versions) {
   SavedPlaces places;
   for (const ParameterMessage& message : parameter_messages()) {
@@ -105,8 +105,8 @@ std::optional<std::int64_t> whole_number(std::string_view text) {
   return detail::parse_number<std::int64_t>(text);
 }
 
-/// Puts the value into the message; returns why it does not fit. Ranges are checked when all values
-/// are known, because they depend on each other.
+/// Stores the value in the message; returns the reason if it does not fit. Ranges are checked when
+/// all values are known, because they depend on each other.
 std::string put_value(AnyMessage& message, const SavedPlace& place, std::string_view text) {
   std::int64_t present = 0;
   const bool is_there =
@@ -135,7 +135,7 @@ std::string put_value(AnyMessage& message, const SavedPlace& place, std::string_
   return message.assign(place.path, fmt::format("raw:{}", raw), false);
 }
 
-/// A value that is taken.
+/// An accepted value.
 struct TakenValue {
   const SavedValue* saved{};
   const std::vector<SavedPlace>* places{};
@@ -236,7 +236,7 @@ class Taking {
   const VendorFile& file_;
   VendorValues& out_;
   SavedPlaces places_;
-  std::set<std::string> in_doubt_{};  ///< what is there more than once, with different values
+  std::set<std::string> in_doubt_{};  ///< names that occur more than once, with different values
   std::vector<TakenValue> taken_{};
   std::string problem_{};
 };

@@ -13,7 +13,7 @@
 
 namespace sbgc::tools {
 
-/// Names in the file that are not taken, and why.
+/// Ignored names of the file, and the reason.
 struct LeftOut {
   std::string reason{};
   std::vector<std::string> names{};
@@ -21,23 +21,23 @@ struct LeftOut {
 
 /// Parameters with the values of a file.
 struct VendorValues {
-  /// The sets of which the file holds values; these are general ones, or of a profile of the file.
+  /// The blocks with values in the file; these are general ones, or of a profile of the file.
   ParameterSet parameters{};
-  /// The fields that it holds, by message and path.
+  /// The fields that it contains, by message and path.
   std::vector<std::pair<std::string, std::string>> fields{};
   std::vector<LeftOut> left_out{};
 };
 
-/// Puts the values of the file into `present`, the parameters of a board. The profile of a file
-/// that holds only one becomes the profile `target`, from 0; otherwise, all five do. What all
-/// profiles have in common goes to all. Errors: `bad_file` if a board cannot hold a value.
+/// Stores the values of the file in `present`, the parameters of a board. The profile of a file
+/// that holds only one becomes the profile `target`, from 0; otherwise, all five do. Values common
+/// to all profiles go to all of them. Errors: `bad_file` if a board cannot hold a value.
 Result<VendorValues> vendor_values(const VendorFile& file, const ParameterSet& present,
                                    std::uint8_t target);
 
-/// Returns parameters of which all are 0, as a board with these versions has them.
+/// Returns parameters that are all 0, with the layout for a board with these versions.
 ParameterSet empty_parameters(const Availability& versions);
 
-/// For people: a line for each reason; "" if everything is taken.
+/// Returns a line for each reason, for people; "" if nothing is ignored.
 std::string left_out_text(const VendorValues& values);
 
 }  // namespace sbgc::tools

@@ -1,4 +1,4 @@
-// The subcommands where sbgc::io and sbgc::client exist: all.
+// The subcommands for builds with sbgc::io and sbgc::client: all.
 
 #include <string>
 #include <string_view>
@@ -66,7 +66,7 @@ const std::vector<Heading> headings{
       {"manual", add_manual, true}}},
 };
 
-/// Options of a gimbal before the command are for commands that talk to one.
+/// Rejects options of a gimbal before a command that does not talk to one.
 void require_use_of_gimbal_options(const CLI::App& app) {
   const CLI::App& command = chosen_command(app);
   for (const CLI::Option* const option : app.get_options()) {

@@ -36,8 +36,8 @@ std::string version_text() {
       to_string(msg::FirmwareVersion(newest_firmware)), model_fingerprint);
 }
 
-/// Runs the command line. With `only`, there is no other command, and an error or a request for
-/// help gives no status: its text needs them all.
+/// Runs the command line. With `only`, there is no other command, and errors or requests for help
+/// return no status: their text needs all commands.
 std::optional<int> run(int argc, char** argv, std::string_view only) {
   CommandContext context;
   CLI::App app("Tools for SimpleBGC gimbals and their serial protocol.", "sbgc");
@@ -64,13 +64,13 @@ std::optional<int> run(int argc, char** argv, std::string_view only) {
     if (!only.empty()) return std::nullopt;
     return report_usage_error(app, error);
   }
-  // The user asked for all traffic.
+  // The user requested all traffic.
   const bool is_complete = context.status != success || !*context.gimbal.has_lost_capture;
   return is_complete ? context.status : failure;
 }
 
 int run(int argc, char** argv) {
-  // The options of all commands take four fifths of the time of a short one.
+  // For a short command, the options of all commands would take four fifths of the time.
   if (argc > 1 && stands_alone(argv[1])) {
     if (const auto status = run(argc, argv, argv[1])) return *status;
   }

@@ -1,4 +1,4 @@
-// The subcommands where sbgc::io does not exist: those that need no gimbal.
+// The subcommands for builds without sbgc::io: those that need no gimbal.
 
 #include <string_view>
 

@@ -42,11 +42,11 @@ struct BridgeOptions {
   std::vector<hosts::ListenAddress> web_sockets{};
   WebSocketAccess access{};
   bool allows_passwords = false;
-  bool is_token_private = false;  ///< it is from the environment
+  bool is_token_private = false;  ///< it comes from the environment
   std::optional<std::chrono::milliseconds> time{};
 };
 
-/// Everything that runs while hosts are served.
+/// All objects that exist while hosts are served.
 class BridgeService {
  public:
   BridgeService(asio::io_context& context, const CommandContext& command,
@@ -56,7 +56,7 @@ class BridgeService {
         line_(context, command.gimbal,
               {.allows_passwords = options.allows_passwords, .log = log, .on_change = changed}) {
     log(line_.client().description());
-    // Until here, a signal ends the program at once.
+    // Before this, a signal ends the program at once.
     for (const int signal : asking_signals()) signals_.add(signal);
     signals_.async_wait([&context](std::error_code error, int) {
       if (!error) context.stop();
@@ -83,7 +83,7 @@ class BridgeService {
   }
 
  private:
-  /// A browser keeps the part of an address after '#' to itself.
+  /// A browser does not send the part of an address after '#'.
   static std::string page_line(const std::string& address, const BridgeOptions& options) {
     const std::string secret = options.is_token_private ? "" : "#token=" + options.access.token;
     return fmt::format("bridge: http{}/setup.html{}\n", address.substr(address.find(':')), secret);
@@ -151,7 +151,7 @@ void take_address(const BridgeOptions& options, GimbalOptions& gimbal) {
   gimbal.port = options.address;
 }
 
-/// Throws CommandError if there is no place for programs, or an option for another kind of place.
+/// Throws CommandError if no place for programs is given, or an option lacks its kind of place.
 void require_places(const BridgeOptions& options, bool has_token) {
   if (options.places.empty() && options.web_sockets.empty()) {
     throw CommandError("choose where programs connect: --tcp, --udp, --pty, --link, --ws or --page",
@@ -176,7 +176,7 @@ void require_own_machine(const BridgeOptions& options) {
   }
 }
 
-/// Chooses the token: that of the command line, of the environment, or a new one.
+/// Selects the token: from the command line, the environment, or a new one.
 void choose_token(BridgeOptions& options) {
   if (options.web_sockets.empty() || !options.access.token.empty()) return;
   const char* const from_environment = std::getenv(token_variable);

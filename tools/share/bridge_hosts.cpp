@@ -13,7 +13,7 @@ namespace sbgc::tools {
 
 namespace {
 
-/// True if the request asks who the board is and what it does.
+/// True if the request asks for the identity of the board.
 bool is_look(std::uint8_t id) {
   return id == static_cast<std::uint8_t>(roles::IntroductionRequest::command) ||
          id == static_cast<std::uint8_t>(roles::DetailsRequest::command) ||
@@ -50,7 +50,7 @@ HostPlaces::Arrival HostPlaces::come(std::size_t port, Instant now,
   return {.is_heard = true, .replaced = replaced};
 }
 
-/// The host that a newcomer replaces.
+/// Returns the host that a newcomer replaces.
 std::optional<std::size_t> HostPlaces::silent_host(Instant now,
                                                    const SilentSince& silent_since) const {
   std::optional<std::size_t> mute;
@@ -151,7 +151,7 @@ std::vector<OwedStop> HostStops::left(std::size_t port) {
 void RequestOwners::asked(std::uint64_t tag, const RequestOwner& asker, const RawRequest& request,
                           Instant now) {
   const ResponsePolicy& policy = request.policy;
-  // The last request of a kind says as much as all earlier ones that are only remembered.
+  // The last request of a kind replaces all earlier ones that are only remembered.
   std::erase_if(entries_, [&](const Entry& entry) {
     if (entry.is_due(now)) return false;
     const bool is_same =
@@ -215,7 +215,7 @@ bool RequestOwners::Entry::can_be_answered_by(const Frame& frame) const {
     const std::uint8_t failed = roles::failed_command(frame);
     return failed == responses.command || failed == 0;
   }
-  // A body of a wrong size is an answer, too, which does not decode.
+  // A body of a wrong size is also an answer, which does not decode.
   if (responses.form_of(frame, true) != nullptr) return true;
   // Not every answer is documented.
   return frame.id == responses.command &&
@@ -238,10 +238,10 @@ auto RequestOwners::claim(const Frame& frame, Instant now) -> Claim {
   for (Entry& entry : entries_) {
     if (!entry.is_due(now) && now - entry.at > memory) continue;
     if (!entry.can_be_answered_by(frame)) continue;
-    // Whoever has left does not make it another's.
+    // If a host has left, its answer does not become another's.
     if (is_anonymous && !entry.asker && !entry.is_due(now)) continue;
     if (entry.is_due(now)) {
-      // A later task ends the one before.
+      // A later task ends the previous one.
       if (next == nullptr || next->confirmed != 0) next = &entry;
     } else if (entry.missing == 0 && now < entry.due) {
       last_answered = &entry;
@@ -250,13 +250,13 @@ auto RequestOwners::claim(const Frame& frame, Instant now) -> Claim {
     last = &entry;
   }
   if (last == nullptr) return {};
-  // Confirmations and errors are counted, and the only answer to a request without documented
-  // ones; other answers can be several.
+  // Confirmations and errors are counted, and so is the only answer to a request without documented
+  // ones; other answers may occur several times.
   const bool is_counted = is_error || roles::is_confirmation(frame) ||
                           (next != nullptr && !next->responses.are_possible());
   Entry* owner = nullptr;
   if (is_anonymous && !is_of_one) {
-    // It can be any.
+    // It can be any answer.
   } else if (next != nullptr && (is_counted || last_answered == nullptr)) {
     owner = next;
   } else if (last_answered != nullptr) {

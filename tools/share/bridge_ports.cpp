@@ -18,7 +18,7 @@ namespace sbgc::tools {
 
 namespace {
 
-/// Unlike responses, samples and unsolicited messages do not fill all of a host's output.
+/// Unlike responses, samples and unsolicited messages must leave part of a host's output free.
 constexpr std::size_t room_of_exclusive_host = 2048;
 constexpr std::size_t most_for_samples = BridgePorts::max_output / 4;
 
@@ -36,7 +36,7 @@ std::optional<Received<roles::StreamRequest>> as_stream_request(const RawRequest
   return message;
 }
 
-/// True if the board speaks the same protocol after the restart.
+/// True if the board uses the same protocol after the restart.
 bool is_plain_restart(const RawRequest& request) {
   const MessageType* const type =
       find_message(Direction::to_board, request.id, request.body.size());
@@ -165,7 +165,7 @@ std::size_t BridgePorts::room(std::size_t port) const {
     return std::min(room_of_exclusive_host, max_raw - waiting);
   }
   if (host.pending >= max_requests || host.output.size() >= max_output) return 0;
-  // Even if all of it is the shortest requests, they must not be too many.
+  // Even if they are all shortest requests, there must not be too many.
   return (max_requests - host.pending) * frame_size(basic_framing, 0);
 }
 
@@ -213,21 +213,21 @@ void BridgePorts::tick() {
     end_exclusive();
 }
 
-// A host that has the line for itself.
+// A host with exclusive use of the line.
 
 std::optional<std::size_t> BridgePorts::exclusive_host() const {
   if (!exclusive_ || !exclusive_->is_active || exclusive_->port == max_ports) return std::nullopt;
   return exclusive_->port;
 }
 
-/// A board that still answers soon goes down: what is asked then gets an error at once.
+/// A board that still answers will go down soon: later requests then get an error at once.
 bool BridgePorts::must_wait(std::size_t port) const {
   if (!exclusive_) return false;
   if (exclusive_->port == port) return !exclusive_->is_active;
   return !exclusive_->is_watched() || !exclusive_->is_alive;
 }
 
-/// Asks the board for a sign of life if another host can be waiting for it, or after a while.
+/// Checks that the board is alive if another host may be waiting for it, or after a while.
 void BridgePorts::watch_restart() {
   Exclusive& restart = *exclusive_;
   const Duration passed = now() - restart.begin;
@@ -248,7 +248,7 @@ void BridgePorts::watch_restart() {
   line_.write_raw(question_of_introduction());
 }
 
-/// Takes bytes of a board that restarts; the host gets all but the answers to the bridge.
+/// Processes bytes of a restarting board; the host gets all but the answers to the bridge.
 void BridgePorts::take_sign_of_life(std::span<const std::uint8_t> bytes) {
   Exclusive& restart = *exclusive_;
   bool is_back = false;
@@ -290,7 +290,7 @@ void BridgePorts::begin_exclusive() {
   wake(exclusive_->port);
 }
 
-/// Notes a request of the host that restarts the board.
+/// Records a request of the host that restarts the board.
 void BridgePorts::note_exclusive(const RawRequest& request) {
   if (request.id == static_cast<std::uint8_t>(msg::BoardInfoRequest::command)) {
     exclusive_->introductions.push_back(false);
@@ -310,7 +310,7 @@ void BridgePorts::receive_raw(std::span<const std::uint8_t> bytes) {
   });
   if (host.parser.counters().skipped_bytes != skipped) exclusive_->is_raw = true;
   exclusive_->last = now();
-  if (!is_allowed) return;  // without its end, the frame is none
+  if (!is_allowed) return;  // without its end, the frame is invalid
   line_.write_raw({bytes.begin(), bytes.end()});
 }
 
@@ -326,7 +326,7 @@ void BridgePorts::raw_arrived(std::span<const std::uint8_t> bytes) {
     ++host.counters.messages;
     is_back = is_back || roles::is_introduction(frame);
   });
-  // An introduction before the restart is none of the restarted board.
+  // An introduction before the restart does not count as one after it.
   if (is_back && now() - exclusive_->begin > restart_delay) exclusive_->is_back = true;
   wake(exclusive_->port);
 }
@@ -352,14 +352,14 @@ void BridgePorts::end_exclusive() {
 
 void BridgePorts::forget_exclusive() {
   Host* const host = exclusive_->port == max_ports ? nullptr : hosts_[exclusive_->port].get();
-  // The rest of its raw bytes is no request.
+  // The rest of its raw bytes is not a request.
   if (host != nullptr && exclusive_->is_active) host->parser.flush([](const Frame&) {});
   exclusive_.reset();
   wake_all();
 }
 
-/// The line is not read more slowly instead: no UART of a board waits for its reader, so the bytes
-/// would be lost there, and nothing would tell.
+/// Reading the line more slowly would not help: a board's UART does not wait for its reader, so the
+/// bytes would be lost there, unnoticed.
 void BridgePorts::expel_exclusive() {
   const std::size_t port = exclusive_->port;
   expel(port, "it does not read what the board sends");
@@ -422,7 +422,7 @@ void BridgePorts::take_stream_request(std::size_t port, const RawRequest& reques
   const std::uint64_t tag = send(port, merged(port, request));
   calls_[tag].stream = key;
   const auto stream = streams_.find(key);
-  // Until the board confirms, samples are those of the stream before.
+  // Until the board confirms, samples belong to the previous stream.
   if (may_mix && stream != streams_.end()) stream->second.starting = tag;
 }
 
@@ -444,7 +444,7 @@ void BridgePorts::give_error(const RequestOwner& asker, msg::CommandToBoard comm
   give(asker, {.id = id, .body = std::span(body).first(size)}, false);
 }
 
-/// Returns false, after a report, for a request with a password that is not allowed.
+/// Returns false, after reporting it, for a request with a password that is not allowed.
 bool BridgePorts::may_pass(std::size_t port, const Frame& request) {
   if (allows_passwords_ || !holds_secret(Direction::to_board, request.id, request.body)) {
     return true;
@@ -473,7 +473,7 @@ RawRequest BridgePorts::merged(std::size_t port, const RawRequest& request) {
   stream.heard = now();
   const auto share = stream.shares.find(port);
   if (wanted != roles::stream_end) {
-    // A stream that ends does not come back if its next start is refused.
+    // A stream that is ending does not continue if its next start is refused.
     const bool goes_on = share != stream.shares.end() && share->second.end == 0;
     const std::int64_t before = goes_on ? share->second.interval : 0;
     stream.shares[port] = {.interval = wanted, .before = before};
@@ -529,7 +529,7 @@ void BridgePorts::answered(std::uint64_t tag, const Frame& frame) {
   const auto place = calls_.find(tag);
   if (place == calls_.end()) return;
   Call& call = place->second;
-  call.is_due_soon = false;  // a calibration may go on
+  call.is_due_soon = false;  // a calibration may continue
   if (call.stream && roles::is_error(frame)) refused(tag, call);
   give(call.asker, frame, false);
   begin_exclusive();
@@ -548,7 +548,7 @@ void BridgePorts::refused_by_line(std::uint64_t tag, const Call& call) {
                   call.asker.port, to_string(command)));
 }
 
-/// The board does not make this change of a stream.
+/// Handles the board's refusal of a change of a stream.
 void BridgePorts::refused(std::uint64_t tag, const Call& call) {
   const auto stream = streams_.find(*call.stream);
   if (stream == streams_.end()) return;
@@ -580,7 +580,7 @@ void BridgePorts::ended(std::uint64_t tag, std::optional<ErrorCode> failure) {
     std::erase_if(stream.shares, [&](const auto& one) { return one.second.end == tag; });
     place = end_if_unused(place);
   }
-  // Taken out first, because answers wake the host, which may send at once.
+  // Removed first, because answers wake the host, which may send at once.
   const auto call = calls_.extract(tag);
   if (call.empty()) return;
   const RequestOwner asker = call.mapped().asker;
@@ -620,10 +620,10 @@ void BridgePorts::arrived(const BoardFrame& message) {
   give_unclaimed(frame);
 }
 
-/// A message that answers no request which has not ended: unsolicited, or a late answer.
+/// Passes on a message that answers no open request: unsolicited, or a late answer.
 void BridgePorts::give_unclaimed(const Frame& frame) {
   const RequestOwners::Claim claim = owners_.claim(frame, now());
-  // An answer that nobody waits for may be dropped, like one that nobody has asked for.
+  // A late answer may be dropped, like an unsolicited message.
   if (claim.asker) return give(*claim.asker, frame, !claim.is_awaited);
   if (claim.is_answer) return;
   is_streamed(frame.id) ? give_sample(frame) : give_all(frame);
@@ -661,7 +661,7 @@ void BridgePorts::give_sample(const Frame& frame) {
   const auto is_of = [&](const auto& one) {
     return one.first.first == frame.id && one.second.size == frame.body.size();
   };
-  // A message of another size than documented can be of any stream with this id.
+  // A message with an undocumented size can belong to any stream with this id.
   const bool has_size = std::ranges::any_of(streams_, is_of);
   std::array<bool, max_ports> is_due{};
   for (auto& one : streams_) {

@@ -1,4 +1,4 @@
-/// Several hosts at one board, without I/O.
+/// Shares one board between several hosts, without I/O.
 #pragma once
 
 #include <array>
@@ -39,69 +39,67 @@ class BridgeLine {
   /// this call.
   virtual void send(std::uint64_t tag, RawRequest request) = 0;
 
-  /// Takes the line for raw bytes. From now on, nothing is sent but the bytes of write_raw(), and
-  /// what arrives is reported as it is.
+  /// Takes the line for raw bytes. From now on, only the bytes of write_raw() are sent, and
+  /// received bytes are reported unchanged.
   virtual void take_line() = 0;
   virtual void write_raw(std::vector<std::uint8_t> bytes) = 0;
-  /// How many of these bytes have not been sent yet.
+  /// Returns how many of these bytes have not been sent yet.
   virtual std::size_t raw_waiting() const = 0;
-  /// Ends this when they have been sent: connects to the board again.
+  /// Ends raw mode when the bytes have been sent: reconnects to the board.
   virtual void give_line_back() = 0;
-  /// Ends this at once; the connection goes on. Precondition: no bytes wait.
+  /// Ends raw mode at once; the connection continues. Precondition: no bytes are waiting.
   virtual void release_line() = 0;
 
-  /// Asks the board for a sign of life; without one, connects again.
+  /// Checks that the board is alive; if not, reconnects.
   virtual void check() = 0;
 
-  /// Goes on with a stop until it is done.
+  /// Continues a stop until it is done.
   virtual void take_over(OwedStop stop) = 0;
-  /// A host moves the camera: what was taken over is owed no longer.
+  /// A host moves the camera: stops that were taken over are obsolete.
   virtual void drop_stops() = 0;
 };
 
-/// Gives each host the responses to its own requests, the samples of the data streams that it has
-/// asked for, and all unsolicited messages.
+/// Passes to each host the responses to its own requests, the samples of the data streams that it
+/// has requested, and all unsolicited messages.
 ///
-/// - A response that comes when its request has ended still goes to the host that asked; see
-///   RequestOwners.
+/// - A response that arrives after its request has ended still goes to the host that sent it; see
+/// RequestOwners.
 /// - The bodies of requests and responses pass unchanged; a response is rewritten in the framing of
 ///   its request, other messages in that of the last request of the host.
 /// - The board gets the shortest interval that a host wants for a data stream; each host gets every
 ///   sample that is due at its own interval. The share of a host ends when it leaves.
-/// - The messages of a stream do not say with which configuration they were requested. Therefore a
-///   stream has one configuration at a time: while it runs, a request for another one gets an error
-///   in place of a confirmation. So does one for which the line has no room.
-/// - A single answer goes only to the host that asked, also while others stream the same message;
-///   the session tells it from the samples. If a stream leaves no time for that, the request gets
-///   an error.
-/// - A host that sends faster than the board executes is read more slowly. A host that does not
-///   read loses samples and unsolicited messages, and disturbs no other.
-/// - A stop drops the motion of all hosts that waits to be sent; they get an error (WRONG_STATE).
-/// If
-///   its host leaves before it is done, the bridge goes on with it.
-/// - Another request that fails has no response, as on a line to the board.
+/// - The messages of a stream do not identify their configuration. Therefore a stream has one
+/// configuration at a time: while it runs, a request for another one gets an error instead of a
+/// confirmation. So does one for which the line has no bandwidth.
+/// - A single answer goes only to the host that requested it, even while others stream the same
+/// message; the session distinguishes it from the samples. If a stream leaves no time for that, the
+/// request gets an error.
+/// - If a host sends faster than the board executes, the bridge reads it more slowly. A host that
+/// does not read loses samples and unsolicited messages, and does not affect others.
+/// - A stop drops the queued motion of all hosts; they get an error (WRONG_STATE). If its host
+/// leaves before it is done, the bridge continues it.
+/// - Other failed requests get no response, as on a line to the board.
 /// - If all places are taken, silent hosts are replaced; see HostPlaces. A host that gets a stream,
-///   awaits an answer or has the line for itself is not silent.
-/// - After a request that restarts the board, its host has the line for itself, with all bytes as
-///   they are, because a bootloader speaks another protocol. The others wait until the host has
-///   left, the board introduces itself again, or nothing of that kind happens. The board does not
-///   wait: a host that has the line for itself and does not read must leave.
-/// - After a plain restart, until the host sends other bytes than requests, the bridge asks the
-/// board
-///   for a sign of life: the others wait only while it does not answer, also after the host has
-///   left, and the connection goes on. A request that comes before the board goes down gets an
-///   error.
+/// awaits an answer or has exclusive use of the line is not silent.
+/// - After a request that restarts the board, its host has exclusive use of the line, with all
+/// bytes unchanged, because a bootloader uses another protocol. The others wait until the host has
+/// left, the board introduces itself again, or none of this happens in time. The board does not
+/// wait: an exclusive host that does not read must leave.
+/// - After a plain restart, until the host sends bytes other than requests, the bridge checks
+/// whether the board is alive: the others wait only while it does not answer, also after the host
+/// has left, and the connection continues. A request that arrives before the board goes down gets
+/// an error.
 class BridgePorts final : public hosts::HostPorts {
  public:
   static constexpr std::size_t max_ports = HostPlaces::max_ports;
-  /// Requests of one host that have not ended.
+  /// The maximum number of open requests of one host.
   static constexpr std::size_t max_requests = 16;
-  /// Bytes that wait for one host.
+  /// The maximum number of waiting bytes for one host.
   static constexpr std::size_t max_output = 65536;
-  /// Silence of a host that ends an incomplete frame.
+  /// The silence of a host that ends an incomplete frame.
   static constexpr Duration idle = sbgc::milliseconds(100);
-  /// How long a host that restarts the board has the line for itself without using it for raw
-  /// bytes; for how much longer a board may be silent after a plain restart.
+  /// The time for which a host that restarts the board has exclusive use of the line without
+  /// sending raw bytes; the additional time for which a board may be silent after a plain restart.
   static constexpr Duration restart_time = sbgc::seconds(5);
   /// A board that does not answer for this long is down.
   static constexpr Duration longest_answer = sbgc::milliseconds(200);
@@ -109,15 +107,15 @@ class BridgePorts final : public hosts::HostPorts {
   static constexpr Duration restart_delay = sbgc::milliseconds(roles::reset_delay_ms + 500);
   /// Samples may still arrive for this long after a stream was ended.
   static constexpr Duration end_of_stream_time = sbgc::seconds(1);
-  /// The silence of a data stream after which it is started again, at least three intervals: a
-  /// board that has lost its power for a moment has lost its streams.
+  /// The silence of a data stream after which it is restarted, at least three intervals: a board
+  /// that has lost its power for a moment has lost its streams.
   static constexpr Duration silence_of_stream = sbgc::seconds(3);
   static constexpr Duration longest_silence = sbgc::seconds(60);
-  /// The board is asked for a sign of life after so many requests without any response.
+  /// After this many requests without any response, the bridge checks that the board is alive.
   static constexpr int most_unanswered = 3;
-  /// Bytes of a host that has the line for itself that wait to be sent.
+  /// The maximum number of waiting bytes from a host with exclusive use of the line.
   static constexpr std::size_t max_raw = 4096;
-  /// Bytes of the board that wait for it: what a board sends in over a minute at 115200 baud.
+  /// The maximum number of bytes waiting for it: over a minute of a board at 115200 baud.
   static constexpr std::size_t max_raw_output = std::size_t{1} << 20;
 
   struct HostCounters {
@@ -127,8 +125,8 @@ class BridgePorts final : public hosts::HostPorts {
     std::uint64_t dropped{};   ///< because it does not read
   };
 
-  /// `log` receives sentences for the user. A password opens the port of the board for all hosts,
-  /// so a request with one is refused unless `allows_passwords`.
+  /// `log` receives sentences for the user. A password unlocks the port of the board for all hosts,
+  /// so a request with one is rejected unless `allows_passwords`.
   explicit BridgePorts(BridgeLine& line, std::function<Instant()> clock = io::now,
                        std::function<void(const std::string&)> log = {},
                        bool allows_passwords = false)
@@ -155,24 +153,24 @@ class BridgePorts final : public hosts::HostPorts {
 
   // The board's side.
 
-  /// A frame that belongs to the request with this tag.
+  /// Passes on a frame that belongs to the request with this tag.
   void answered(std::uint64_t tag, const Frame& frame);
-  /// The request has ended, with this error if it has failed.
+  /// Reports that the request has ended, with this error if it has failed.
   void ended(std::uint64_t tag, std::optional<ErrorCode> failure = {});
-  /// Every frame of the board, including those of answered().
+  /// Must be called with every frame of the board, including those of answered().
   void arrived(const BoardFrame& message);
-  /// The board is connected again and has no data streams: starts those that hosts want.
+  /// The board has reconnected and has no data streams: starts those that hosts want.
   void restart_streams();
-  /// Bytes that arrive while the line is taken.
+  /// Processes bytes that arrive while the line is taken.
   void raw_arrived(std::span<const std::uint8_t> bytes);
-  /// Bytes of write_raw() have been sent.
+  /// Reports that bytes of write_raw() have been sent.
   void raw_sent();
-  /// The line is lost. Returns false if it is only opened again after a host had it for itself.
+  /// The line is lost. Returns false if it is only reopened after a host had exclusive use of it.
   bool line_lost();
-  /// The host that has the line for itself.
+  /// Returns the host with exclusive use of the line.
   std::optional<std::size_t> exclusive_host() const;
-  /// Does what is due: ends incomplete frames of silent hosts, starts silent data streams again,
-  /// and gives the line back. To be called from time to time.
+  /// Performs due actions: ends incomplete frames of silent hosts, restarts silent data streams,
+  /// and gives the line back. Must be called regularly.
   void tick();
 
   std::vector<HostCounters> counters() const;
@@ -198,11 +196,11 @@ class BridgePorts final : public hosts::HostPorts {
     bool is_due_soon{};                 // the answer to it
     std::optional<StreamKey> stream{};  // that it starts, changes or ends
   };
-  /// The wishes of one host for it.
+  /// The part of one host in the stream.
   struct Share {
     std::int64_t interval{};  // in counts of the request
-    std::int64_t before{};    // the last one, which a refused change leaves; or 0
-    std::int64_t credit{};    // what has passed since its last sample, in microseconds
+    std::int64_t before{};    // the previous one, restored if a change is refused; or 0
+    std::int64_t credit{};    // the time since its last sample, in microseconds
     std::uint64_t end{};      // the request that ends it; or 0
   };
   struct Stream {
@@ -211,27 +209,27 @@ class BridgePorts final : public hosts::HostPorts {
     std::map<std::size_t, Share> shares{};  // by port
     Instant heard{};                        // the last sample, or its last start
     bool is_started_again = false;          // since its last sample
-    std::uint64_t starting{};               // the request that must end before it has samples; or 0
+    std::uint64_t starting{};               // the request that must end before samples arrive; or 0
     bool is_wanted() const;                 // by a host that has not asked for its end
     std::int64_t interval() const;          // 0 if nobody wants it
     std::int64_t pace() const;              // interval until the board has made all changes
   };
   using Streams = std::map<StreamKey, Stream>;
 
-  /// A host that has the line for itself, or waits until the others have their answers.
+  /// A host with exclusive use of the line, or waiting for it until the others have their answers.
   struct Exclusive {
     std::size_t port{};  // max_ports after it has left
     bool is_active = false;
-    bool is_plain = false;              // the board speaks the same protocol afterwards
-    bool is_raw = false;                // it has sent bytes that are no requests
+    bool is_plain = false;              // the board uses the same protocol afterwards
+    bool is_raw = false;                // it has sent bytes that are not requests
     bool is_back = false;               // the board has introduced itself
-    std::vector<std::uint8_t> first{};  // what it sends before it has the line
+    std::vector<std::uint8_t> first{};  // bytes received before it has the line
     Instant begin{};
     Instant last{};  // when bytes passed
     ParserOfAll from_board{};
     // The command that restarts the board.
     std::uint8_t command{};
-    std::deque<bool> introductions{};           // that were asked for; true: by the bridge
+    std::deque<bool> introductions{};           // requested introductions; true: by the bridge
     Instant unanswered_since = Instant::never;  // the first request for a sign of life
     bool is_alive = false;
     bool was_down = false;
@@ -255,7 +253,7 @@ class BridgePorts final : public hosts::HostPorts {
   void expel(std::size_t port, const char* reason);
   void expel_exclusive();
   void wake_all();
-  /// Notes what the host wants; returns the request that the board gets instead.
+  /// Records the host's wish; returns the request that the board gets instead.
   RawRequest merged(std::size_t port, const RawRequest& request);
   void refused(std::uint64_t tag, const Call& call);
   void refused_by_line(std::uint64_t tag, const Call& call);

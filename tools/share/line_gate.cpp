@@ -11,12 +11,12 @@ namespace sbgc::tools {
 
 namespace {
 
-/// A device that takes no more bytes does not keep the line.
+/// A device that accepts no more bytes does not keep the line.
 constexpr std::chrono::seconds longest_end{2};
 
 }  // namespace
 
-/// One transport and who uses it. All functions run on its executor.
+/// One transport and its user. All functions run on its executor.
 class LineGate::State : public std::enable_shared_from_this<LineGate::State> {
  public:
   using Handler = io::Transport::Handler;
@@ -111,7 +111,7 @@ class LineGate::State : public std::enable_shared_from_this<LineGate::State> {
   std::function<void(Bytes)> on_bytes_;
   std::function<void()> on_sent_;
   std::shared_ptr<std::atomic<std::size_t>> waiting_;  // of all transports
-  std::size_t own_ = 0;                                // what this one has of it
+  std::size_t own_ = 0;                                // the part of this transport
   asio::steady_timer end_;
   std::deque<Bytes> raw_;
   Bytes out_;
@@ -176,7 +176,7 @@ void LineGate::take() {
 }
 
 void LineGate::write(Bytes bytes) {
-  // Counted before they are handed over, because the caller sends no more than there is room for.
+  // Counted before they are passed on, because the caller sends no more than there is room for.
   const std::size_t size = bytes.size();
   *waiting_ += size;
   const bool is_posted =

@@ -15,7 +15,7 @@
 namespace sbgc::tools {
 
 /// While the gate is taken, bytes from the line go to a function instead of the client, only bytes
-/// of write() go to the line, and what the client writes is dropped. Thread-safe.
+/// of write() go to the line, and the client's writes are dropped. Thread-safe.
 class LineGate {
  public:
   using Bytes = std::vector<std::uint8_t>;
@@ -32,12 +32,12 @@ class LineGate {
 
   void take();
   void write(Bytes bytes);
-  /// How many bytes of write() have not been sent.
+  /// The number of bytes of write() that have not been sent.
   std::size_t waiting() const { return *waiting_; }
-  /// Gives the line back: closes it when all bytes have been sent, but no later than after two
-  /// seconds, so that the client connects again.
+  /// Gives the line back: closes it when all bytes have been sent, but after two seconds at the
+  /// latest, so that the client reconnects.
   void give_back();
-  /// Gives the line back without closing it, unless bytes of write() wait.
+  /// Gives the line back without closing it, unless bytes of write() are waiting.
   void release();
 
  private:

@@ -31,7 +31,7 @@ void add_places(CLI::App& command, Places& places);
 void add_listen(CLI::App& command, const std::string& name,
                 std::vector<hosts::ListenAddress>& addresses, const std::string& help);
 
-/// Opens the places, TCP and UDP each for so many hosts, and writes "NAME: ADDRESS" for each to
+/// Opens the places, TCP and UDP each for this many hosts, and writes "NAME: ADDRESS" for each to
 /// background_stdout(). Throws std::runtime_error.
 std::vector<std::unique_ptr<hosts::Endpoint>> open_places(const asio::any_io_executor& executor,
                                                           hosts::HostPorts& ports,

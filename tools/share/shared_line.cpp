@@ -100,7 +100,7 @@ void BridgeClient::send(std::uint64_t tag, RawRequest request) {
     asio::post(executor_,
                [this, tag, own = OwnFrame(frame)] { ports_->answered(tag, own.frame()); });
   };
-  // The host repeats its requests if it wants to.
+  // The host repeats its requests if necessary.
   client_.start_raw(std::move(request), {.retries = 0}, [this, tag](const Result<Reply>& reply) {
     const auto failure = reply ? std::nullopt : std::optional(reply.error().code);
     asio::post(executor_, [this, tag, failure] { ports_->ended(tag, failure); });

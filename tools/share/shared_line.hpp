@@ -22,18 +22,18 @@
 
 namespace sbgc::tools {
 
-/// Sends the requests of a bridge with a client. What the client reports on its own thread is
-/// handed over to the bridge on its executor.
+/// Sends the requests of a bridge with a client. Events on the client's thread are passed to the
+/// bridge on its executor.
 class BridgeClient final : public BridgeLine {
  public:
-  /// The executor must not run any more when this is destroyed.
+  /// The executor must no longer run when this is destroyed.
   /// The transports of the client pass through the gate.
   BridgeClient(asio::any_io_executor executor, Client client, LineGate& gate);
   BridgeClient(const BridgeClient&) = delete;
   BridgeClient& operator=(const BridgeClient&) = delete;
   ~BridgeClient() override;
 
-  /// Begins to pass on what the board sends; `on_change` is called on the executor.
+  /// Begins to forward the board's messages; `on_change` is called on the executor.
   void begin(BridgePorts& ports, std::function<void(const LinkChange&)> on_change);
 
   void send(std::uint64_t tag, RawRequest request) override;
@@ -66,15 +66,15 @@ class BridgeClient final : public BridgeLine {
   std::jthread stopper_;  // waits for the attempts
 };
 
-/// A client that connects again by itself, and ports for programs. All but the client is used on
-/// the context, which must not run any more when this is destroyed.
+/// A client that reconnects by itself, and ports for programs. Everything but the client is used on
+/// the context, which must no longer run when this is destroyed.
 class SharedLine {
  public:
   struct Settings {
     bool allows_passwords = false;
     Wrap wrap{};  ///< applied to the transport first
     std::function<void(const std::string&)> log{};
-    std::function<void(const LinkChange&)> on_change{};  ///< but not for a restart of the board
+    std::function<void(const LinkChange&)> on_change{};  ///< but not for restarts of the board
   };
 
   /// Connects. Throws CommandError.
@@ -85,7 +85,7 @@ class SharedLine {
 
   Client& client() { return line_.client(); }
   BridgePorts& ports() { return ports_; }
-  /// To be called about ten times per second.
+  /// Must be called about ten times per second.
   void tick() { ports_.tick(); }
 
  private:

@@ -30,7 +30,7 @@ bool consists_of(std::string_view text, std::string_view characters) {
   return !text.empty() && text.find_first_not_of(characters) == std::string_view::npos;
 }
 
-/// In the form that a browser sends: no path, not even a slash, and no capital letters.
+/// True if it has the form that a browser sends: no path, not even a slash, and no capital letters.
 bool is_origin(std::string_view text) {
   static constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz";
   static constexpr std::string_view scheme = "abcdefghijklmnopqrstuvwxyz0123456789+.-";
@@ -133,7 +133,7 @@ bool is_plain(char c) {
 std::optional<PageFile> page_file(const std::string& folder, std::string_view target) {
   std::string name(target.substr(0, std::min(target.find('?'), target.size())));
   if (name.ends_with('/')) name += first_page;
-  // No name of the site has other characters, or a part that begins with a dot.
+  // No file of the site has other characters, or a part that begins with a dot.
   if (!name.starts_with('/') || !std::ranges::all_of(name, is_plain)) return std::nullopt;
   if (name.find("/.") != std::string::npos) return std::nullopt;
   const fs::path path = fs::path(folder) / name.substr(1);

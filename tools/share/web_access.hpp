@@ -1,5 +1,5 @@
-/// What a browser may have: the origins that may connect over a WebSocket, and the files of a web
-/// site.
+/// Access control for browsers: the origins that may connect over a WebSocket, and the files of a
+/// web site.
 #pragma once
 
 #include <optional>
@@ -22,7 +22,7 @@ struct WebSocketAccess {
   bool knows_token(std::string_view target, std::string_view protocols) const;
 };
 
-/// Returns what is wrong with a token or an origin that a user chose; "" if nothing is.
+/// Returns the problem of a token or an origin that a user chose; "" if it is valid.
 std::string token_problem(std::string_view token);
 std::string origin_problem(std::string_view origin);
 
@@ -32,21 +32,21 @@ std::string make_token();
 /// True if both texts are equal. Takes the same time wherever they differ.
 bool is_same_secret(std::string_view one, std::string_view other);
 
-/// A file, and what it is for a browser.
+/// A file, and its content type.
 struct PageFile {
   std::string path{};
   const char* type = "";
 };
 
 /// Returns the file that the target of a request names, such as "/setup.html?x=1"; nothing if the
-/// folder has none. Hidden files, and files outside the folder, are none.
+/// folder has none. Hidden files, and files outside the folder, do not count.
 std::optional<PageFile> page_file(const std::string& folder, std::string_view target);
 
-/// True if a request with this host comes from a page of this machine: a name of another machine
-/// can lead here as well.
+/// True if a request with this host comes from a page of this machine: names of other machines can
+/// resolve to this one as well.
 bool is_loopback_host(std::string_view host);
 
-/// Returns what is wrong with a folder of pages; "" if nothing is.
+/// Returns the problem of a folder of pages; "" if it is valid.
 std::string page_folder_problem(const std::string& folder);
 
 }  // namespace sbgc::tools

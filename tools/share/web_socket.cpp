@@ -23,8 +23,8 @@ using SessionId = WebSocketServer::SessionId;
 
 constexpr std::size_t most_per_write = 4096;
 
-/// Transfers bytes between sessions and ports. What the server reports on its own thread is handed
-/// over to the executor.
+/// Transfers bytes between sessions and ports. Events on the server's thread are passed to the
+/// executor.
 class WebSocketEndpoint final : public hosts::Endpoint {
  public:
   WebSocketEndpoint(asio::any_io_executor executor, hosts::HostPorts& ports,
@@ -54,7 +54,7 @@ class WebSocketEndpoint final : public hosts::Endpoint {
   };
 
   WebSocketServer::Events events() {
-    // The executor does not run any more when this is destroyed.
+    // The executor no longer runs when this is destroyed.
     const auto hand_over = [this](auto function) { asio::post(executor_, std::move(function)); };
     return {
         .opened = [=, this](SessionId id,
@@ -118,7 +118,7 @@ class WebSocketEndpoint final : public hosts::Endpoint {
     if (host.input.empty() && !std::exchange(host.is_reading, true)) server_.read_next(id);
     const std::span<const std::uint8_t> waiting = ports_.output(host.port);
     if (waiting.empty() && !host.is_writing && ports_.must_leave(host.port)) {
-      // Not at once, because this may be a call from the ports.
+      // Deferred, because this may be a call from the ports.
       return asio::post(executor_, [this, id] {
         server_.close(id, "it did not read in time, or it was silent and its place is needed");
         close(id);

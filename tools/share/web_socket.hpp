@@ -1,4 +1,4 @@
-/// WebSockets as a place where programs connect.
+/// WebSocket endpoints for programs.
 #pragma once
 
 #include <memory>
@@ -8,7 +8,7 @@
 
 namespace sbgc::tools {
 
-/// Listens for WebSockets. Binary messages are bytes of the protocol, however they are cut. Throws
+/// Listens for WebSockets. Binary messages are bytes of the protocol, split arbitrarily. Throws
 /// std::runtime_error.
 std::unique_ptr<hosts::Endpoint> listen_web_socket(const asio::any_io_executor& executor,
                                                    hosts::HostPorts& ports,

@@ -31,9 +31,9 @@ namespace websocket = beast::websocket;
 namespace net = boost::asio;
 using Tcp = net::ip::tcp;
 
-/// With those for whom a bridge has no place, until they are closed.
+/// Includes those without a place in the bridge, until they are closed.
 constexpr std::size_t max_sessions = 96;
-/// Connections that have not said yet what they want. If there are more, the oldest must leave.
+/// The maximum number of connections without a request yet. Beyond it, the oldest is closed.
 constexpr std::size_t max_strangers = 64;
 constexpr std::size_t max_message = 16384;
 constexpr std::size_t max_header = 8192;
@@ -50,7 +50,7 @@ std::string place_of(const Tcp::endpoint& endpoint) {
 
 std::string_view view(boost::string_view text) { return {text.data(), text.size()}; }
 
-/// The text of a stranger, for a log.
+/// Makes untrusted text printable for a log.
 std::string printable(std::string_view text) {
   std::string result(text.substr(0, 100));
   std::ranges::replace_if(
@@ -79,7 +79,7 @@ class WebSocketServer::Impl : public std::enable_shared_from_this<WebSocketServe
   void stop();
   Tcp::endpoint endpoint() const { return acceptor_.local_endpoint(); }
 
-  /// Calls `use(session)` on the server's thread if there is this session. On any thread.
+  /// Calls `use(session)` on the server's thread if the session exists. May run on any thread.
   template <class Use>
   void with(SessionId id, Use use);
   void left(SessionId id) { sessions_.erase(id); }
@@ -133,7 +133,7 @@ class WebSocketServer::Impl::Session : public std::enable_shared_from_this<Sessi
   void read_next() {
     stream_.async_read(buffer_, [self = shared_from_this()](beast::error_code error, std::size_t) {
       if (error) return self->finish();
-      if (self->is_closing_) return;  // the end of the closing ends the session
+      if (self->is_closing_) return;  // the end of the closing handshake ends the session
       if (!self->stream_.got_binary()) return self->close("binary messages only");
       const auto data = self->buffer_.cdata();
       const auto* const begin = static_cast<const std::uint8_t*>(data.data());
@@ -153,26 +153,26 @@ class WebSocketServer::Impl::Session : public std::enable_shared_from_this<Sessi
                         });
   }
 
-  /// True once it is known to be a WebSocket that may connect.
+  /// True once it is known to be an allowed WebSocket.
   bool is_accepted() const { return is_accepted_; }
 
-  /// Ends a connection that has not said what it wants.
+  /// Ends a connection that has sent no request yet.
   void drop() { stream_.next_layer().close(); }
 
   void close(const std::string& reason) {
-    if (std::exchange(is_closing_, true)) return;  // the stream allows no second one at a time
+    if (std::exchange(is_closing_, true)) return;  // the stream allows only one at a time
     stream_.async_close({websocket::close_code::policy_error, reason},
                         [self = shared_from_this()](beast::error_code) { self->finish(); });
   }
 
  private:
-  /// Accepts the request for a WebSocket, or responds why not.
+  /// Accepts the request for a WebSocket, or responds with the reason for a refusal.
   void decide() {
     const auto& request = parser_.get();
     if (!websocket::is_upgrade(request)) {
       return access_.pages.empty() ? refuse(http::status::upgrade_required) : serve_file();
     }
-    // A client has to wait for the response; what it sent before would be read without its frame.
+    // A client has to wait for the response; earlier bytes would be read without their frame.
     if (buffer_.size() != 0) return refuse(http::status::bad_request);
     if (request.count(http::field::origin) > 1) {
       events_.refused(name_ + " refused: its request has several origins");
@@ -189,7 +189,7 @@ class WebSocketServer::Impl::Session : public std::enable_shared_from_this<Sessi
       events_.refused(name_ + " refused: it does not know the token");
       return refuse(http::status::unauthorized);
     }
-    // A browser gives up if it offers subprotocols and none is chosen.
+    // A browser fails if it offers subprotocols and none is selected.
     const bool offers_protocol = http::token_list(protocols).exists("sbgc");
     if (!protocols.empty() && !offers_protocol) {
       events_.refused(name_ + " refused: it does not offer the subprotocol 'sbgc'");
@@ -216,7 +216,7 @@ class WebSocketServer::Impl::Session : public std::enable_shared_from_this<Sessi
     });
   }
 
-  /// True for pages of the allowed sites, and for those that this server has served.
+  /// True for pages of the allowed sites, and for pages of this server.
   bool is_allowed(std::string_view origin) const {
     const std::string host(view(parser_.get()[http::field::host]));
     return access_.allows_origin(origin) ||

@@ -1,4 +1,4 @@
-/// A server of WebSockets on a thread of its own.
+/// A WebSocket server on its own thread.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 
 namespace sbgc::tools {
 
-/// The only user of Boost.Beast. This header names nothing of Boost: the Asio of Boost and that of
-/// the library cannot be included in one file.
+/// The only user of Boost.Beast. This header does not mention Boost: Boost's Asio and the library's
+/// cannot be included in one file.
 class WebSocketServer {
  public:
   using Bytes = std::vector<std::uint8_t>;
@@ -25,7 +25,7 @@ class WebSocketServer {
     std::function<void(SessionId, Bytes)> received{};
     std::function<void(SessionId)> written{};
     std::function<void(SessionId)> closed{};
-    /// Someone could not connect, for the reason in this sentence.
+    /// A client could not connect, for the reason in this sentence.
     std::function<void(const std::string&)> refused{};
   };
 

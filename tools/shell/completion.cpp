@@ -39,7 +39,7 @@ namespace {
 
 using Candidates = std::vector<Candidate>;
 
-/// Returns the beginning of a description, which is enough in a list.
+/// Returns the beginning of a description, enough for a list.
 std::string brief(const std::string& description) {
   return clipped(description.substr(0, description.find_first_of(".:;(\n")));
 }
@@ -89,14 +89,14 @@ struct Place {
   std::string word{};
 };
 
-/// Names of things to which a value is assigned.
+/// Names that can be assigned a value.
 Candidates assignable(const std::vector<std::string>& names) {
   Candidates result;
   for (const std::string& name : names) result.push_back({name + '=', ""});
   return result;
 }
 
-/// Returns the paths with other words for their axes, such as tilt.p for pitch.p.
+/// Returns the paths with synonyms for their axes, such as tilt.p for pitch.p.
 std::vector<std::string> with_synonyms(const std::vector<std::string>& paths) {
   std::vector<std::string> result;
   for (const std::string& path : paths) {
@@ -115,8 +115,8 @@ std::vector<std::string> with_synonyms(const std::vector<std::string>& paths) {
   return result;
 }
 
-/// Returns the paths of parameters, and those ends of them that mean only one, as on the command
-/// line; and other words for the axes, once one is begun.
+/// Returns the paths of parameters, and unambiguous ends of them, as on the command line; and
+/// synonyms for the axes, once one is begun.
 std::vector<std::string> parameter_words(const Place& place) {
   const std::vector<std::string> paths = parameter_names();
   std::map<std::string, unsigned> ends;
@@ -145,7 +145,7 @@ Candidates field_values(const std::string& message, const std::string& word) {
     try {
       found = find_fields(form->fields(), word.substr(0, equals));
     } catch (const ValueError&) {
-      continue;  // it does not mean one field
+      continue;  // it is not a single field
     }
     if (found.empty()) continue;
     const FieldType& type = *found.front().type;
@@ -162,7 +162,7 @@ Candidates field_values(const std::string& message, const std::string& word) {
   return result;
 }
 
-/// Other words for topics and axes, once one is begun: they would only make a whole list longer.
+/// Synonyms for topics and axes, once one is begun: they would only lengthen a whole list.
 Candidates topic_synonyms(const Place& place) {
   Candidates result;
   if (place.word.empty()) return result;
@@ -197,7 +197,7 @@ Candidates streams() {
   return result;
 }
 
-/// Continues a list: the last of the words between these separators is one of the names.
+/// Completes a list: the last of the words between these separators is one of the names.
 Candidates list_items(const std::vector<std::string>& names, const std::string& word,
                       const char* separators) {
   const std::string before = word.substr(0, word.find_last_of(separators) + 1);
@@ -206,7 +206,7 @@ Candidates list_items(const std::vector<std::string>& names, const std::string& 
   return result;
 }
 
-/// The kind of stream that the command line names, if any.
+/// Returns the kind of stream that the command line names, if any.
 std::optional<StreamType> stream_of(const Place& place) {
   if (place.arguments.empty()) return std::nullopt;
   try {
@@ -216,7 +216,7 @@ std::optional<StreamType> stream_of(const Place& place) {
   }
 }
 
-/// All fields that samples of a stream can have.
+/// Returns all fields that samples of a stream can have.
 Candidates sample_fields(const Place& place) {
   std::optional<StreamType> stream = stream_of(place);
   if (!stream) return {};
@@ -226,13 +226,13 @@ Candidates sample_fields(const Place& place) {
   return list_items(paths, place.word, ",");
 }
 
-/// The flags that choose what samples contain.
+/// Returns the flags that select the contents of samples.
 Candidates sample_flags(const Place& place) {
   const std::optional<StreamType> stream = stream_of(place);
   return stream ? list_items(stream->flags(), place.word, ",|") : Candidates();
 }
 
-/// The words of a type such as "rest|drone|FILE".
+/// Returns the words of a type such as "rest|drone|FILE".
 Candidates choices_in(std::string_view type) {
   Candidates result;
   while (!type.empty()) {
@@ -297,7 +297,7 @@ void add_options(const CLI::App& command, Candidates& result) {
   }
 }
 
-/// The choice by the words before the last one.
+/// The command and option that the words before the last one select.
 struct ChosenCommand {
   const CLI::App* command = nullptr;
   std::vector<std::string> arguments{};
@@ -325,7 +325,7 @@ ChosenCommand chosen_by(const CLI::App& app, const std::vector<std::string>& lin
   return result;
 }
 
-/// Returns all words that can stand at the place.
+/// Returns all possible words at the position.
 Candidates complete(const CLI::App& app, const std::vector<std::string>& line) {
   const auto [command, arguments, awaiting] = chosen_by(app, line);
   const Place place{app, arguments, line.empty() ? "" : line.back()};
@@ -370,7 +370,7 @@ Candidates candidates_for(const CLI::App& app, const std::vector<std::string>& l
   Candidates result;
   for (const Candidate& candidate : complete(app, line)) {
     const bool fits = candidate.word.starts_with(word) || candidate.word == files_directive;
-    // No shell shows or inserts other words as they are.
+    // No shell shows or inserts other words unchanged.
     const bool is_plain = clipped(candidate.word) == candidate.word;
     const bool is_new = std::ranges::find(result, candidate.word, &Candidate::word) == result.end();
     if (fits && is_plain && is_new)

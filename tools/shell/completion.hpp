@@ -1,4 +1,4 @@
-/// The words that can stand at the place of the cursor.
+/// Candidates for completion at the cursor.
 #pragma once
 
 #include <string>
@@ -17,7 +17,7 @@ struct Candidate {
 /// shell/scripts.hpp stands for files.
 std::vector<Candidate> candidates_for(const CLI::App& app, const std::vector<std::string>& line);
 
-/// Returns the subcommand that these words choose, at the deepest level.
+/// Returns the subcommand that these words select, at the deepest level.
 const CLI::App& command_of(const CLI::App& app, const std::vector<std::string>& line);
 
 }  // namespace sbgc::tools

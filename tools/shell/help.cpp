@@ -65,7 +65,7 @@ int print_help(const CLI::App& app, const HelpOptions& options) {
     }
     command = nested;
   }
-  // App::help() would be that of `help`, which the command line chose.
+  // App::help() would print that of `help`, which the command line selected.
   fmt::print("{}", colored_help(command->get_formatter()->make_help(command, full_name(*command),
                                                                     CLI::AppFormatMode::Normal)));
   return success;

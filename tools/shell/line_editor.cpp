@@ -26,8 +26,7 @@ namespace sbgc::tools {
 
 namespace {
 
-/// Returns $XDG_STATE_HOME/sbgc/history, else ~/.local/state/sbgc/history; "" if there is no
-/// folder.
+/// Returns $XDG_STATE_HOME/sbgc/history, or ~/.local/state/sbgc/history; "" if there is no folder.
 std::string history_file() {
   const char* const state = std::getenv("XDG_STATE_HOME");
   const char* const home = std::getenv("HOME");
@@ -45,7 +44,7 @@ std::size_t characters(std::string_view text) {
       text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
-/// Returns what all words begin with.
+/// Returns the common prefix of all words.
 std::string common_begin(const std::vector<std::string>& words) {
   std::string result = words.front();
   for (const std::string& word : words) {
@@ -70,7 +69,7 @@ void list_words(const std::vector<std::string>& words) {
 
 }  // namespace
 
-/// libedit, which has one history.
+/// Uses libedit, with one history.
 class LineEditor::Editing {
  public:
   Editing(std::string prompt, Complete complete)
@@ -110,7 +109,7 @@ class LineEditor::Editing {
   void keep(const std::string& line) {
     if (line.find_first_not_of(" \t") == std::string::npos) return;
     history(history_.get(), &event_, H_ENTER, line.c_str());
-    // At once, because a signal may end the program. libedit makes the mode 0600.
+    // At once, because a signal may end the program. libedit sets the mode to 0600.
     if (!file_.empty()) history(history_.get(), &event_, H_SAVE, file_.c_str());
   }
 
@@ -157,7 +156,7 @@ class LineEditor::Editing {
 
 #else
 
-/// Without libedit, the terminal edits.
+/// Without libedit, the terminal does the editing.
 class LineEditor::Editing {
  public:
   Editing(std::string, const Complete&) {}
@@ -197,7 +196,7 @@ std::optional<std::string> LineEditor::read() {
 
 namespace {
 
-/// True for what stands for itself only after a backslash or in quotes.
+/// True for characters that must be escaped or quoted.
 bool is_special(char c) { return std::string_view(" \t'\"\\#").find(c) != std::string_view::npos; }
 
 }  // namespace
@@ -237,7 +236,7 @@ Words split_words(std::string_view line) {
 
 Words split_typed(std::string_view line) {
   Words result = split_words(line);
-  // With one more character, a word that has ended becomes two.
+  // If the word has ended, one more character adds another word.
   const std::size_t words = split_words(std::string(line) + 'x').words.size();
   if (words > result.words.size()) {
     result.words.emplace_back();

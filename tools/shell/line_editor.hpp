@@ -1,4 +1,4 @@
-/// Lines that a user types, or that a file has, and their words.
+/// Reads lines from a user or a file, and splits them into words.
 #pragma once
 
 #include <cstddef>
@@ -11,11 +11,11 @@
 
 namespace sbgc::tools {
 
-/// Reads lines of standard input. On a terminal it shows a prompt; if it was built with libedit,
-/// there are keys for editing, completion by Tab, and a history that a file keeps.
+/// Reads lines of standard input. On a terminal it shows a prompt; if built with libedit, it
+/// supports editing keys, completion with Tab, and a history stored in a file.
 class LineEditor {
  public:
-  /// Returns the words that can stand at the end of a line, in place of its last word.
+  /// Returns the possible replacements for the last word of a line.
   using Complete = std::function<std::vector<std::string>(std::string_view line)>;
 
   LineEditor(std::string prompt, Complete complete);
@@ -23,11 +23,11 @@ class LineEditor {
   LineEditor& operator=(const LineEditor&) = delete;
   ~LineEditor();
 
-  /// True if somebody types on a terminal.
+  /// True for a user at a terminal.
   bool is_interactive() const { return is_interactive_; }
 
-  /// Returns the next line without its end; nothing at the end of the input. Ctrl-C makes a line
-  /// empty. Throws CommandError if the input is no text.
+  /// Returns the next line without its end; nothing at the end of the input. Ctrl-C returns an
+  /// empty line. Throws CommandError if the input is not text.
   std::optional<std::string> read();
 
   /// Adds a line to the history.
@@ -44,17 +44,17 @@ class LineEditor {
 
 struct Words {
   std::vector<std::string> words{};
-  std::size_t last_begin = 0;  ///< where the last word begins in the line
-  bool is_complete = true;     ///< every quote has its end
+  std::size_t last_begin = 0;  ///< where the last word of the line begins
+  bool is_complete = true;     ///< every quote is closed
 };
 
-/// Splits a line at spaces outside of quotes. After # at the begin of a word, there is a comment.
+/// Splits a line at spaces outside of quotes. A # at the beginning of a word begins a comment.
 Words split_words(std::string_view line);
 
-/// The same for a line that is being typed: a space at its end begins one more word.
+/// The same for an incomplete line: a space at its end begins another word.
 Words split_typed(std::string_view line);
 
-/// Returns the word as a line has it: split_words() returns it again.
+/// Returns the word quoted for a line: split_words() returns it unchanged.
 std::string quoted_word(std::string_view word);
 
 }  // namespace sbgc::tools

@@ -38,7 +38,7 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
-/// Writes paragraphs. Lines that begin with a space stay as they are.
+/// Writes paragraphs. Lines that begin with a space remain unchanged.
 void put_text(std::string& page, const std::string& text) {
   std::istringstream lines(text);
   bool is_literal = false;
@@ -127,7 +127,7 @@ void put_nested(std::string& page, const CLI::App& command) {
   }
 }
 
-/// "sbgc" or "sbgc-decode".
+/// Returns "sbgc" or "sbgc-decode".
 std::string page_name(const CLI::App& command) {
   const CLI::App* const parent = command.get_parent();
   return parent == nullptr ? command.get_name() : parent->get_name() + '-' + command.get_name();

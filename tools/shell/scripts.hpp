@@ -1,4 +1,4 @@
-/// The completion scripts of shells.
+/// Completion scripts for shells.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@ namespace sbgc::tools {
 
 /// The hidden subcommand that prints the candidates for the last of its arguments.
 inline constexpr std::string_view complete_command = "__complete";
-/// A candidate that stands for the names of files.
+/// A candidate that stands for file names.
 inline constexpr std::string_view files_directive = ":files";
 
 /// Returns the script for "bash", "zsh" or "fish".

@@ -47,11 +47,11 @@ extern "C" void pass_signal_on(int number) {
   end_signal = number;
   if (running_command > 0) ::kill(running_command, number);
 }
-// Ends the line that is being typed, or nothing while a command runs, which gets the signal, too.
+// Ends the line being typed; while a command runs, does nothing: it gets the signal, too.
 extern "C" void take_key(int) { was_key_pressed = 1; }
 
-/// While it exists, signals for this program end the command that runs first, because the line
-/// carries its stop. Ctrl-C and Ctrl-Z are for the command only.
+/// While it exists, signals for this program end the running command first, because the line
+/// carries its stop. Ctrl-C and Ctrl-Z are only for the command.
 class SignalsOfCommand {
  public:
   SignalsOfCommand() {
@@ -79,7 +79,7 @@ class SignalsOfCommand {
   std::array<struct sigaction, signals.size()> before_{};
 };
 
-/// The end of a command.
+/// The result of a command.
 struct Ended {
   int status = failure;
   bool is_killed = false;
@@ -145,7 +145,7 @@ std::vector<std::string> files_from(const std::string& word) {
   return result;
 }
 
-/// True if the words name a gimbal of their own.
+/// True if the words name their own gimbal.
 bool has_own_gimbal(const std::vector<std::string>& words) {
   for (const std::string_view word : words) {
     for (const std::string_view option : {"-p", "-g", "--port", "--gimbal"}) {
@@ -186,7 +186,7 @@ class CommandShell {
           throw CommandError(fmt::format("line {} has a NUL byte: it is no text in UTF-8", number));
         }
         Words words = split_words(*line);
-        refuse_secrets(words.words);  // before the history or another process has them
+        refuse_secrets(words.words);  // before they reach the history or another process
         editor.keep(*line);
         if (!words.is_complete) throw CommandError("a quote has no end", wrong_usage);
         if (!words.words.empty() && words.words.front() == "sbgc") {
@@ -196,7 +196,7 @@ class CommandShell {
         if (words.words.front() == "exit" || words.words.front() == "quit") return success;
         was_key_pressed = 0;
         status = execute(words.words, editor.is_interactive());
-        if (was_key_pressed != 0) remark_as_is("\n");  // behind the ^C that the terminal shows
+        if (was_key_pressed != 0) remark_as_is("\n");  // after the ^C that the terminal shows
       } catch (const CommandError& error) {
         remark_failure(as_message(error.what()));
         status = error.status();
@@ -239,7 +239,7 @@ class CommandShell {
     require_line();
     std::vector<std::string> arguments = options();
     arguments.insert(arguments.end(), words.begin(), words.end());
-    // The guard of a command holds the place here, which ends with this process.
+    // The guard of a command holds a place, which ends with this process.
     std::optional<Guard> guard;
     if (command.get_group() == "Move") {
       guard.emplace();
@@ -252,7 +252,7 @@ class CommandShell {
     return ended.status;
   }
 
-  /// Connects again if the connection is lost. Throws CommandError.
+  /// Reconnects if the connection is lost. Throws CommandError.
   void require_line() {
     if (line_ && line_->is_connected()) return;
     remark("sbgc: connecting again ...\n");

@@ -18,7 +18,7 @@ namespace sbgc::tools {
 namespace {
 
 constexpr std::chrono::milliseconds shell_tick_time{100};
-/// A board that restarts is back by then.
+/// A restarting board is back within this time.
 constexpr std::chrono::seconds longest_outage{5};
 
 }  // namespace
@@ -40,7 +40,7 @@ ShellLine::~ShellLine() {
 }
 
 SharedLine::Settings ShellLine::settings() {
-  // The password opens the gimbal for this user only.
+  // The password unlocks the gimbal for this user only.
   return {.allows_passwords = true,
           .wrap =
               [this](std::unique_ptr<io::Transport> transport) {
@@ -81,7 +81,7 @@ std::string ShellLine::open_place() {
     place_ = hosts::open_terminal(
         context_.get_executor(), line_.ports(), "", false,
         {.event = {}, .warning = [this](const std::string& text) { tell(text); }});
-    // A pseudo-terminal has any rate; with one, nothing has to be detected.
+    // A pseudo-terminal accepts any rate; giving one avoids the detection.
     address = fmt::format("serial:{}?baud=115200", place_->address());
   });
   return address;
@@ -97,7 +97,7 @@ void ShellLine::close_place(bool is_left_to_guard) {
 bool ShellLine::hand_line_to(const Guard& guard) {
   const std::lock_guard lock(mutex_);
   if (!descriptor_) return false;
-  guard.take(descriptor_.get(), AfterStop::all);  // as each command of the shell needs it
+  guard.take(descriptor_.get(), AfterStop::all);  // every command of the shell may need it
   return true;
 }
 

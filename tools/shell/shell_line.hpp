@@ -1,4 +1,4 @@
-/// The line to the gimbal that stays open between the commands of a shell.
+/// The line to the gimbal, which stays open between the commands of a shell.
 #pragma once
 
 #include <memory>
@@ -18,8 +18,8 @@
 
 namespace sbgc::tools {
 
-/// Shares the gimbal with one command after another, as `sbgc bridge` does: a command gets a
-/// pseudo-terminal, which only this user can open.
+/// Shares the gimbal with one command after another, like `sbgc bridge`: a command gets a
+/// pseudo-terminal that only this user can open.
 class ShellLine {
  public:
   /// Connects. Throws CommandError.
@@ -28,24 +28,24 @@ class ShellLine {
   ShellLine& operator=(const ShellLine&) = delete;
   ~ShellLine();
 
-  /// For example "serial port /dev/ttyUSB0, 115200 8N1: board 3.6, firmware 2.70".
+  /// Returns, for example, "serial port /dev/ttyUSB0, 115200 8N1: board 3.6, firmware 2.70".
   std::string description();
-  /// For example "serial port /dev/ttyUSB0, 115200 8N1".
+  /// Returns, for example, "serial port /dev/ttyUSB0, 115200 8N1".
   std::string line() { return line_.client().description(); }
   bool is_connected() { return line_.client().is_connected(); }
-  /// Waits for a moment until the connection is back. Returns false if it is not.
+  /// Waits for a moment until it is reconnected. Returns false if it is not.
   bool wait_until_connected();
 
   /// Opens a place for a command, and returns its address.
   std::string open_place();
-  /// Ends it, and with it the streams of the command; or leaves it to a guard.
+  /// Closes the place, and with it the streams of the command; or leaves it to a guard.
   void close_place(bool is_left_to_guard);
 
-  /// Lets the guard hold the line: if this process dies, it stops the gimbal. Returns false if it
-  /// cannot.
+  /// Passes the line to the guard: if this process dies, it stops the gimbal. Returns false on
+  /// failure.
   bool hand_line_to(const Guard& guard);
 
-  /// While a command runs, changes of the line are reported at once; otherwise by this.
+  /// Reports changes of the line. While a command runs, they are reported at once.
   void report_changes();
   void set_running(bool is_running);
 

@@ -9,7 +9,7 @@ namespace sbgc::tools {
 
 namespace {
 
-/// A grid of dots. A character holds `columns` by `rows` of them.
+/// A grid of dots. Each character holds `columns` by `rows` of them.
 class Dots {
  public:
   Dots(std::size_t width, std::size_t height) : width_(width), cells_(width * height) {}
@@ -24,7 +24,7 @@ class Dots {
   std::vector<std::uint8_t> cells_;
 };
 
-/// The eight dots of a character of Braille, by column and row, as bits of its code point.
+/// The eight dots of a Braille character, by column and row, as bits of its code point.
 constexpr std::array<std::array<unsigned, 4>, 2> braille_bits{
     {{0x01, 0x02, 0x04, 0x40}, {0x08, 0x10, 0x20, 0x80}}};
 
@@ -40,10 +40,10 @@ void append_braille(std::string& line, std::uint8_t dots) {
   line += static_cast<char>(0x80U | (code & 0x3FU));
 }
 
-/// Returns the row from the top, of `rows`, at which a value is drawn.
+/// Returns the row, from the top, at which a value is drawn.
 std::size_t row_of(double value, ValueRange range, std::size_t rows) {
   const double part = (value - range.low) / (range.high - range.low);
-  const double share = std::isfinite(part) ? part : 0.5;  // of a range that is no number
+  const double share = std::isfinite(part) ? part : 0.5;  // for an invalid range
   const double from_top = (1 - std::clamp(share, 0.0, 1.0)) * static_cast<double>(rows - 1);
   return static_cast<std::size_t>(std::lround(from_top));
 }
@@ -77,7 +77,7 @@ std::vector<std::string> draw_chart(std::span<const double> values, ValueRange r
     if (std::isnan(last[i])) continue;
     const std::size_t x = width * columns - shown + i;
     const std::size_t y = row_of(last[i], range, height * rows);
-    // A line to the previous value, so that a jump stays visible.
+    // A line to the previous value, so that jumps remain visible.
     const bool has_previous = i != 0 && !std::isnan(last[i - 1]);
     const std::size_t from = has_previous && previous < y ? previous + 1 : y;
     const std::size_t to = has_previous && previous > y ? previous - 1 : y;

@@ -9,10 +9,10 @@
 
 namespace sbgc::tools {
 
-/// False for infinite values and for those of which the sum of a few is infinite.
+/// False for infinite values and for values so large that adding a few of them overflows.
 inline bool is_drawable(double value) { return std::abs(value) <= 1e300; }
 
-/// The characters of a chart: dots of Braille need UTF-8.
+/// The characters of a chart: Braille dots need UTF-8.
 enum class ChartStyle : unsigned char { braille, ascii };
 
 /// The lowest and the highest value.
@@ -28,8 +28,8 @@ struct ValueRange {
 ValueRange range_of_values(std::span<const double> values, double least);
 
 /// Draws the last values, the newest at the right end, in `height` lines of `width` characters. A
-/// character of Braille shows two values. Values outside the range are drawn at its edge, NaN not
-/// at all.
+/// Braille character shows two values. Values outside the range are drawn at its edge; NaN is
+/// omitted.
 std::vector<std::string> draw_chart(std::span<const double> values, ValueRange range,
                                     std::size_t width, std::size_t height, ChartStyle style);
 

@@ -17,10 +17,10 @@ namespace sbgc::tools {
 
 namespace {
 
-// Distinct also for the color-blind.
+// Distinguishable for the color-blind, too.
 constexpr std::array line_colors{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"};
 
-// A picture follows the colors of its surroundings. A point shows itself, and its values, under the
+// An image follows the colors of its surroundings. A point and its values are shown under the
 // mouse.
 constexpr const char* style =
     "<style>\n"
@@ -34,7 +34,7 @@ constexpr const char* style =
     ".points circle { opacity: 0 } .points circle:hover { opacity: 1 }\n"
     "</style>\n";
 
-// The layout of a picture, in pixels.
+// The layout of an image, in pixels.
 constexpr double picture_width = 800;
 constexpr double plot_left = 70;
 constexpr double plot_right = picture_width - 30;
@@ -56,7 +56,7 @@ std::string xml_text(std::string_view text) {
   return result;
 }
 
-/// The range of the drawable numbers that were included, from `low` up.
+/// The range of the drawable numbers that were included, starting at `low`.
 struct AxisRange {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
@@ -66,12 +66,12 @@ struct AxisRange {
     low = std::min(low, value);
     high = std::max(high, value);
   }
-  /// Where a value is, from 0 to 1.
+  /// Returns the relative position of a value, from 0 to 1.
   double share(double value) const { return high > low ? (value - low) / (high - low) : 0.5; }
 };
 
-/// A round distance of lines, at most `most` in the range: 1, 2 or 5 times a power of ten, or
-/// degrees.
+/// Returns a round distance of grid lines, at most `most` in the range: 1, 2 or 5 times a power of
+/// ten, or degrees.
 double round_step(double size, bool is_angle, double most) {
   if (is_angle) {
     for (const double step : {5.0, 15.0, 45.0, 90.0, 180.0}) {
@@ -109,7 +109,7 @@ class Picture {
   }
 
  private:
-  /// The picture in words: what each line shows, with its range.
+  /// Describes the image in words: what each line shows, with its range.
   std::string description() const {
     std::string words;
     for (const LinePlot& plot : plots_) {
@@ -132,7 +132,7 @@ class Picture {
     add("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>\n", x, y, anchor,
         xml_text(words));
   }
-  /// The last line of the title stands at `y`.
+  /// Adds the title, with its last line at `y`.
   void add_title(std::string_view title, double y) {
     constexpr double line = 14;
     y -= line * static_cast<double>(std::ranges::count(title, '\n'));
@@ -171,7 +171,7 @@ class Picture {
     for (std::size_t i = 0; i < plot.lines.size(); ++i) add_line(plot, i);
   }
 
-  /// Prepares x() and y(). The range of values extends to the lines of its grid.
+  /// Prepares x() and y(). The range of values extends to its grid lines.
   void measure(const LinePlot& plot, double top) {
     top_ = top;
     has_log_x_ = plot.has_log_x;
@@ -212,7 +212,7 @@ class Picture {
       add_text(x(place), top_ + plot_height + 16, "middle", fmt::format("{:.4g}", place));
   }
 
-  /// Lines at round places: for a logarithmic scale, at the digits of each power of ten.
+  /// Adds grid lines at round values: for a logarithmic scale, at the digits of each power of ten.
   void add_places(const LinePlot& plot) {
     const std::string_view quantity = plot.x_unit == "Hz"  ? "frequency in "
                                       : plot.x_unit == "s" ? "time in "
@@ -269,7 +269,7 @@ class Picture {
 
   // The plot that is being drawn
   AxisRange places_{}, values_{};
-  double step_{};  ///< between two lines of the grid of values
+  double step_{};  ///< between two grid lines of the values
   double top_{};
   bool has_log_x_{};
 };

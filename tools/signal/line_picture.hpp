@@ -1,4 +1,4 @@
-/// Pictures of lines over time or frequency, as SVG.
+/// Line charts over time or frequency, as SVG.
 #pragma once
 
 #include <optional>
@@ -11,17 +11,17 @@ namespace sbgc::tools {
 
 struct LinePoint {
   double x{};
-  double y{};  ///< no number interrupts the line
+  double y{};  ///< NaN interrupts the line
 };
 
 /// Lines over a common range of x.
 struct LinePlot {
   std::string title{};  ///< in up to two lines
   std::vector<std::vector<LinePoint>> lines{};
-  std::string x_unit{};                ///< behind the numbers below the plot
+  std::string x_unit{};                ///< after the numbers below the plot
   bool has_log_x{};                    ///< x is above 0
   bool shows_angles{};                 ///< in degrees, with a grid of whole parts of a turn
-  std::optional<ValueRange> values{};  ///< that the plot shows; else those of its lines
+  std::optional<ValueRange> values{};  ///< the range shown; otherwise that of its lines
   std::optional<double> mark{};        ///< a value with a dashed line
 };
 

@@ -24,8 +24,8 @@ bool is_in_unit(const FieldType& type) {
   return is_variable || element.unit != nullptr;
 }
 
-/// Throws ValueError if a value is of an element of a list beyond its end, and an element before
-/// that is neither there nor has a value: it would be sent with zeros that nobody asked for.
+/// Throws ValueError if a value is for an element of a list beyond its end, and an earlier element
+/// neither exists nor has a value: it would be sent with unintended zeros.
 void reject_gaps(const AnyMessage& message, const std::vector<FieldValue>& values) {
   for (const FieldValue& value : values) {
     FieldSteps steps;
@@ -48,7 +48,7 @@ void reject_gaps(const AnyMessage& message, const std::vector<FieldValue>& value
   }
 }
 
-/// Returns the number of "10%", "+10 %" or "-10%".
+/// Parses the number in "10%", "+10 %" or "-10%".
 std::optional<double> percentage(std::string_view text) {
   if (!text.ends_with('%')) return std::nullopt;
   text.remove_suffix(1);
@@ -72,7 +72,7 @@ Assignment parse_assignment(std::string_view text) {
   }
   const std::string_view name = detail::trimmed(text.substr(0, end));
   const std::string_view value = text.substr(sign + 1);
-  // In "name = value", the blanks are no part of either.
+  // In "name = value", the blanks belong to neither.
   const bool is_spaced = text[end - 1] == ' ';
   Assignment result{std::string(name), std::string(is_spaced ? detail::trimmed(value) : value),
                     change};
@@ -200,7 +200,7 @@ std::vector<FieldValue> find_values(const MessageType& type,
 void set_values(AnyMessage& message, const std::vector<FieldValue>& values,
                 const Availability& versions) {
   reject_gaps(message, values);
-  for (const bool in_unit : {false, true}) {  // last what other values select the unit of
+  for (const bool in_unit : {false, true}) {  // last the values whose unit others select
     for (const FieldValue& value : values) {
       if (is_in_unit(*value.field.type) != in_unit) continue;
       const std::string problem =

@@ -33,12 +33,12 @@ struct FieldValue {
   Change change = Change::set;
 };
 
-/// Returns the value for each of the fields that one name means: numbers for the axes may be
+/// Returns the value for each of the fields that one name denotes: numbers for the axes may be
 /// separated by commas; otherwise all get the same.
 std::vector<FieldValue> values_for(const std::vector<FoundField>& fields,
                                    const Assignment& assignment);
 
-/// A number and how to read others like it.
+/// A number, and the way to parse others like it.
 struct PresentNumber {
   double value{};  ///< in the unit
   UnitInfo unit{};
@@ -53,16 +53,16 @@ std::string changed_value(const PresentNumber& present, Change change, const std
 FieldValue changed_value(const AnyMessage& present, const FieldValue& value,
                          const Availability& versions);
 
-/// Adds a value. Throws ValueError if the field has one already.
+/// Adds a value. Throws ValueError if the field already has one.
 void add_value(std::vector<FieldValue>& values, FieldValue value);
 
-/// Returns the fields that the assignments mean. Throws ValueError if one does not exist or is
+/// Returns the fields that the assignments denote. Throws ValueError if one does not exist or is
 /// assigned twice.
 std::vector<FieldValue> find_values(const MessageType& type,
                                     const std::vector<Assignment>& assignments);
 
-/// Sets the values, also those that the specification does not allow. A quantity is read in the
-/// unit that the other values of the message select, and that it has on a board with these
+/// Sets the values, including those that the specification does not allow. A quantity is parsed in
+/// the unit that the other values of the message select, and that it has on a board with these
 /// versions. Throws ValueError, which names the field.
 void set_values(AnyMessage& message, const std::vector<FieldValue>& values,
                 const Availability& versions = {});
@@ -71,7 +71,7 @@ void set_values(AnyMessage& message, const std::vector<FieldValue>& values,
 void assign(AnyMessage& message, const std::vector<Assignment>& assignments,
             const Availability& versions = {});
 
-/// Throws ValueError if one of the values is outside of its range, whatever the others are.
+/// Throws ValueError if a value is out of range regardless of the others.
 void check_ranges(const AnyMessage& message, const std::vector<FieldValue>& values);
 
 }  // namespace sbgc::tools

@@ -19,7 +19,7 @@ namespace sbgc::tools {
 
 namespace {
 
-/// The value of the highest count of a quantity.
+/// The physical value of the highest raw value of a quantity.
 template <class Q>
 constexpr Q highest{std::numeric_limits<typename Q::raw_type>::max()};
 
@@ -29,8 +29,8 @@ std::string direction_text(const AxisDirection& direction) {
   return fmt::format("positive is {}", direction.positive);
 }
 
-/// Returns the number in front of a unit, which may be missing: 30 of "30 deg", "30°" and "30".
-/// Returns other texts as they are.
+/// Returns the number before a unit, which may be missing: 30 for "30 deg", "30°" and "30". Returns
+/// other texts unchanged.
 std::string without_unit(std::string_view text, std::string_view unit) {
   const std::size_t size = text.find_last_of("0123456789.") + 1;
   const std::string_view rest = detail::trimmed(text.substr(size));
@@ -42,7 +42,7 @@ std::string examples_of(const AxisDirection& ways) {
   return fmt::format("30{} or 30{}", ways.positive, ways.negative);
 }
 
-/// Reads "30down", "30 deg down" or 0, as people say it, into a number.
+/// Parses "30down", "30 deg down" or 0 into a number.
 CLI::Validator number_with_direction(const std::string& unit, const AxisDirection& ways) {
   const auto take = [unit, ways](std::string& text) -> std::string {
     const std::string lower = detail::lower_case(text);
@@ -62,8 +62,8 @@ CLI::Validator number_with_direction(const std::string& unit, const AxisDirectio
   return {take, "", "number"};
 }
 
-/// Returns the options with the other names of an axis, such as "--tilt". Their numbers say which
-/// way they count.
+/// Returns the options with the synonyms of an axis, such as "--tilt". Their numbers include the
+/// direction.
 std::vector<std::string> named_options(std::size_t axis) {
   std::vector<std::string> result;
   if (*axis_directions[axis].positive == '\0') return result;
@@ -88,7 +88,7 @@ void add_named_directions(CLI::App& command, CLI::Option& signed_option, std::si
   }
 }
 
-/// A hint to the options for a number with a direction: "; --tilt takes 30down or 30up".
+/// Returns a hint at the options for a number with a direction: "; --tilt takes 30down or 30up".
 std::string hint_of_names(std::size_t axis) {
   std::string result;
   for (const std::string& name : named_options(axis)) {

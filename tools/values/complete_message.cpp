@@ -26,7 +26,7 @@ void add_demanded(AnyMessage& message) {
   for (;;) {
     const WriteResult written = message.encode(body);
     if (written.status.code != Code::presence_mismatch) return;
-    // If the field is there, it should not be.
+    // If the field is present, it should not be.
     if (message.has(written.status.field) || !message.add(written.status.field)) return;
   }
 }

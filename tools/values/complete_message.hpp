@@ -1,14 +1,14 @@
-/// Messages that have what the specification demands.
+/// Makes messages complete according to the specification.
 #pragma once
 
 #include <sbgc/any.hpp>
 
 namespace sbgc::tools {
 
-/// Returns a message whose lists have as many elements as the specification wants.
+/// Returns a message whose lists have the required number of elements.
 AnyMessage new_message(const MessageType& type);
 
-/// Adds the fields that are missing although the values of others demand them.
+/// Adds missing fields that the values of others require.
 void add_demanded(AnyMessage& message);
 
 }  // namespace sbgc::tools

@@ -19,14 +19,14 @@ namespace sbgc::tools {
 namespace {
 
 constexpr std::size_t most_configuration_levels = 16;
-// Names with dots are nested tables, for each of which toml++ needs room on the stack.
+// Names with dots are nested tables, each of which takes space on the stack in toml++.
 constexpr std::ptrdiff_t most_dots_of_line = 1000;
 
 ConfigurationPlace place_of(const toml::source_region& region) {
   return {region.begin.line, region.begin.column};
 }
 
-/// Says what to correct, for what people write most often; "" for other errors of toml++.
+/// Returns a correction for common mistakes; "" for other errors of toml++.
 std::string_view correction_of(std::string_view text, ConfigurationPlace place,
                                std::string_view error) {
   for (std::size_t line = 1; line < place.line; ++line) text.remove_prefix(text.find('\n') + 1);
@@ -91,7 +91,7 @@ class ConfigurationText::Parser {
         section.keys.push_back(key_of(key, node));
       }
     }
-    // Names before the last dot of a section are none.
+    // Names before the last dot of a section are not sections.
     if (path.empty() || !section.keys.empty() || !has_sections) {
       into_.sections_.push_back(std::move(section));
     }

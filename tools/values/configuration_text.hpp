@@ -1,5 +1,5 @@
-/// Reads configuration files in TOML, with the place of everything. Values are texts, numbers, true
-/// and false, and lists of these.
+/// Reads configuration files in TOML, and keeps the positions of all items. Values are texts,
+/// numbers, true and false, and lists of these.
 #pragma once
 
 #include <chrono>
@@ -49,8 +49,8 @@ struct ConfigurationSection {
   std::string name() const;
 };
 
-/// The sections of a file, in their order; the first one is without a name. Errors are
-/// CommandErrors that begin with "file:line:column: ".
+/// The sections of a file, in order; the first one has no name. Errors are CommandErrors that begin
+/// with "file:line:column: ".
 class ConfigurationText {
  public:
   /// Parses the text. Throws CommandError.
@@ -67,8 +67,8 @@ class ConfigurationText {
   std::vector<ConfigurationSection> sections_;
 };
 
-/// Reads the keys of a section. What it was asked for is what a section may have: finish() rejects
-/// everything else. All functions throw CommandError if a value is not of their kind.
+/// Reads the keys of a section. The requested keys are the allowed ones: finish() rejects all
+/// others. All functions throw CommandError if a value has the wrong type.
 class SectionReader {
  public:
   SectionReader(const ConfigurationText& text, const ConfigurationSection& section)
@@ -87,14 +87,14 @@ class SectionReader {
   const std::vector<ConfigurationValue>& required_texts(std::string_view key,
                                                         std::string_view example);
 
-  /// The place of the value of a key, or without the key, of its section.
+  /// Returns the position of a key's value, or without the key, of its section.
   ConfigurationPlace place_of(std::string_view key) const;
   /// Rejects the value of a key, or without it the section, for this reason.
   [[noreturn]] void reject(std::string_view key, const std::string& reason) const;
   [[noreturn]] void reject(const ConfigurationValue& value, const std::string& reason) const;
 
-  /// Throws CommandError, with suggestions, if the section has keys that nobody has asked for, or
-  /// lacks one that must be there.
+  /// Throws CommandError, with suggestions, if the section has keys that were not requested, or
+  /// lacks a required one.
   void finish() const;
 
  private:

@@ -34,7 +34,7 @@ constexpr std::array effect_texts{
 std::string effect_text(Effects effects) {
   std::string result;
   for (const EffectText& text : effect_texts) {
-    // Some values of a request can read and others change something.
+    // With some values, a request only reads; with others, it changes something.
     const bool is_denied = text.effect == Effect::reads && effects != Effects(Effect::reads);
     if (effects.has(text.effect) && !is_denied) {
       result += (result.empty() ? "" : " ") + std::string(text.sentence);

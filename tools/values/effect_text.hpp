@@ -16,7 +16,7 @@ std::string effect_text(Effects effects);
 /// Returns words such as "reads" or "stores, moves".
 std::string effect_words(Effects effects);
 
-/// Returns the effect with this word; nothing if there is none.
+/// Returns the effect named by this word; nothing if there is none.
 std::optional<Effect> effect_of_word(std::string_view word);
 std::vector<std::string> known_effect_words();
 

@@ -78,7 +78,7 @@ std::vector<Token> tokens_of(std::string_view name) {
   return tokens;
 }
 
-/// The element chosen at each step of a way; nothing where all are meant.
+/// The element selected at each step of a path; nothing where all are meant.
 using Choice = std::vector<std::optional<std::size_t>>;
 
 std::optional<std::size_t> axis_of(const FieldType& axes, std::string_view word) {
@@ -88,8 +88,8 @@ std::optional<std::size_t> axis_of(const FieldType& axes, std::string_view word)
   return std::nullopt;
 }
 
-/// Matches the tokens with the end of a way, from the last one on. `is_whole` becomes true if the
-/// first token is the first member.
+/// Matches the tokens with the end of a path, starting with the last one. `is_whole` becomes true
+/// if the first token is the first member.
 bool matches(const std::vector<Token>& tokens, const Way& way, Choice& choice, bool& is_whole) {
   choice.assign(way.size(), std::nullopt);
   std::size_t step = way.size();
@@ -118,7 +118,7 @@ bool matches(const std::vector<Token>& tokens, const Way& way, Choice& choice, b
     }
   }
   is_whole = step == 0;
-  // An element alone, such as "pitch" or "[0]", can be one of anything.
+  // An element alone, such as "pitch" or "[0]", could belong to anything.
   const bool is_of_list =
       way[step].elements != nullptr && way[step].elements->shape == FieldShape::list;
   return !is_of_list && (way[step].member != nullptr || tokens.size() > 1);
@@ -183,7 +183,7 @@ bool matches_specification(std::string_view name, const Way& way, Choice& choice
   return false;
 }
 
-/// A field that a name means.
+/// A field that a name denotes.
 struct Match {
   std::size_t source = 0;
   Way way{};
@@ -240,7 +240,7 @@ std::string text_of(const Match& match, const std::vector<FieldSource>& sources)
   return sources.size() > 1 ? sources[match.source].name + "." + path : path;
 }
 
-/// Returns the fields that the name means. More than one is an ambiguity.
+/// Returns the fields that the name denotes. More than one means that it is ambiguous.
 std::vector<Match> matches_of(const std::vector<FieldSource>& sources, std::string_view name,
                               const std::vector<Token>& tokens) {
   std::vector<Match> whole;
@@ -261,7 +261,7 @@ std::vector<Match> matches_of(const std::vector<FieldSource>& sources, std::stri
   return ends.empty() ? specified : ends;
 }
 
-/// The same; the axis may also stand on the other side: pitch.lpf_freq for lpf_freq.pitch.
+/// The same; the axis may also be on the other side: pitch.lpf_freq for lpf_freq.pitch.
 std::vector<Match> matches_of(const std::vector<FieldSource>& sources, std::string_view name) {
   std::vector<Token> tokens = tokens_of(name);
   std::vector<Match> found = matches_of(sources, name, tokens);
@@ -305,7 +305,7 @@ std::string way_text(const Way& way) {
 }
 
 SourcedFields find_fields(const std::vector<FieldSource>& sources, std::string_view name) {
-  // The name of a source may stand in front.
+  // The name of a source may come first.
   for (std::size_t i = 0; i < sources.size(); ++i) {
     const std::size_t dot = name.find('.');
     if (dot == std::string_view::npos ||

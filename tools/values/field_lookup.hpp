@@ -1,4 +1,4 @@
-/// Finds the fields that a name on the command line means.
+/// Finds the fields that a name on the command line denotes.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace sbgc::tools {
 
-/// A name or a value on the command line is wrong; what() is a sentence without a final period.
+/// An invalid name or value on the command line; what() is a sentence without a final period.
 class ValueError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -32,26 +32,26 @@ struct FoundField {
   const FieldType* type = nullptr;
 };
 
-/// A step on the way to a field: a member, or any element of axes or of a list.
+/// A step on the path to a field: a member, or any element of axes or of a list.
 struct WayStep {
   const FieldType* member = nullptr;    ///< null for an element
   const FieldType* elements = nullptr;  ///< the axes or the list that the element is of
 };
 
-/// All values, lists and groups in a message. Calls `use(way, type)` with the way from the outside
-/// in. An element of axes or of a list is reported once.
+/// Calls `use(way, type)` for all values, lists and groups in a message, with the path from the
+/// outside in. An element of axes or of a list is reported once.
 void for_each_field(const std::vector<FieldType>& members,
                     const std::function<void(const std::vector<WayStep>&, const FieldType&)>& use);
 
-/// Returns the way as text: "axes.roll|pitch|yaw.p", "params[].param_id".
+/// Returns the path as text: "axes.roll|pitch|yaw.p", "params[].param_id".
 std::string way_text(const std::vector<WayStep>& way);
 
-/// Returns the fields of one message that `name` means. Several, if it leaves the axis open.
+/// Returns the fields of one message that `name` denotes; several if it leaves the axis open.
 ///
 /// `name` is a path as in `sbgc decode`, or the end of one, such as "pitch.p" for "axes.pitch.p",
-/// or the name in the specification, with an axis or without, such as "SPEED_PITCH". An axis may
+/// or the name in the specification, with or without an axis, such as "SPEED_PITCH". An axis may
 /// have another name, such as "tilt". A path takes precedence. Returns nothing if there is no such
-/// field. Throws ValueError if the name fits different fields, or a list whose index it lacks.
+/// field. Throws ValueError if the name fits different fields, or a list without an index.
 std::vector<FoundField> find_fields(const std::vector<FieldType>& members, std::string_view name);
 
 /// The same in several groups, such as the messages with parameters.
@@ -65,11 +65,11 @@ struct SourcedFields {
 };
 SourcedFields find_fields(const std::vector<FieldSource>& sources, std::string_view name);
 
-/// Returns the names that are nearest to `name` among the paths of the sources and their ends.
+/// Returns the nearest names to `name` among the paths of the sources and their ends.
 std::vector<std::string> similar_fields(const std::vector<FieldSource>& sources,
                                         std::string_view name);
 
-/// Returns the paths of all values; axes are spelled out, an element of a list has the index 0.
+/// Returns the paths of all values; axes are spelled out, list elements have the index 0.
 std::vector<std::string> field_paths(const std::vector<FieldType>& members);
 
 }  // namespace sbgc::tools

@@ -45,7 +45,7 @@ bool choose(const std::vector<std::string>& paths, std::vector<bool>& chosen, co
   return found;
 }
 
-/// Returns the paths that the name of a field in the specification means.
+/// Returns the paths that a field name of the specification denotes.
 std::vector<std::string> paths_named(std::string_view name, const MessageType& message) {
   std::vector<std::string> paths;
   try {
@@ -88,7 +88,7 @@ void apply(std::string_view pattern, const MessageType& message,
 }  // namespace
 
 bool matches_glob(std::string_view pattern, std::string_view text) {
-  // At a mismatch, the last * takes one character more.
+  // At a mismatch, the last * consumes one more character.
   std::size_t p = 0;
   std::size_t t = 0;
   std::size_t star = std::string_view::npos;

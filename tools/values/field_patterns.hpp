@@ -1,4 +1,4 @@
-/// Patterns that choose fields of a message by their paths.
+/// Patterns that select fields of a message by their paths.
 #pragma once
 
 #include <string>
@@ -9,16 +9,16 @@
 
 namespace sbgc::tools {
 
-/// True if the text is matched: * stands for any characters, ? for one.
+/// True if the text matches: * stands for any characters, ? for one.
 bool matches_glob(std::string_view pattern, std::string_view text);
 
-/// Returns true for the paths of `paths` that the patterns choose, in their order. A pattern is
+/// Returns true for those of `paths` that the patterns select, in their order. A pattern is
 /// - a glob for the whole path: "axes.*.angle",
 /// - a path, or the part of it before a dot or bracket: "angle" for "angle.roll",
 /// - the end of a path after a dot, if it is unique: "cycle_time",
 /// - the name in the specification: "ANGLE_ROLL".
-/// `patterns` are separated by commas; without any, all are chosen. Throws CommandError for a
-/// pattern that chooses nothing, with suggestions.
+/// `patterns` are separated by commas; without any, all are selected. Throws CommandError for a
+/// pattern that selects nothing, with suggestions.
 std::vector<bool> chosen_fields(std::string_view patterns, const MessageType& message,
                                 const std::vector<std::string>& paths);
 

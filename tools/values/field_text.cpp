@@ -17,7 +17,7 @@ std::string in_unit_of(double raw, const UnitInfo* unit) {
   return detail::text_of([&](TextOutput& out) { detail::put_limit(out, raw, unit); });
 }
 
-/// The value of one count of the raw value: "0.0219727 deg each".
+/// Returns the physical size of one count: "0.0219727 deg each".
 std::string scale_text(const UnitInfo& unit) {
   if (unit.is_plain()) return "";
   const double step = unit.numerator / unit.denominator;
@@ -39,7 +39,7 @@ std::string part_bits(const PartInfo& part) {
   return low == high ? fmt::format("bit {}", low) : fmt::format("bits {} to {}", low, high);
 }
 
-/// The direction of positive values: "positive: pitch down, yaw right, roll unknown".
+/// Returns the sign convention: "positive: pitch down, yaw right, roll unknown".
 std::string positive_text(const FieldType& type) {
   const auto word = [](const AxisDirection& direction) {
     return *direction.positive == '\0' ? "unknown" : direction.positive;
@@ -65,7 +65,7 @@ std::string names_or_reference(const EnumInfo& info) {
   return fmt::format("{} names, see `sbgc describe {}`", info.values.size(), info.name);
 }
 
-/// The meaning of a field from a firmware on: "from firmware 2.73.1 on: 5 * 1.01562^raw, from -5".
+/// Returns a field's later meaning: "from firmware 2.73.1 on: 5 * 1.01562^raw, from -5".
 std::string later_text(const FieldType& type, const LaterMeaning& later) {
   const std::string since = versions_text(later.since);
   const FieldInfo info{.range = later.range != nullptr ? later.range : type.info->range};

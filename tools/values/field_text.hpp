@@ -25,17 +25,16 @@ std::vector<std::string> field_facts(const FieldType& field);
 /// For example "i16", "u8[3]", "bytes[8]", "text[48]".
 std::string type_text(const FieldType& type);
 
-/// For example "-720 to 719.978 deg"; "" if the field has no limits of its own.
+/// For example "-720 to 719.978 deg"; "" if the field has no limits.
 std::string range_text(const FieldType& field);
 
-/// Names with their numbers: "MODE_NO_CONTROL 0, MODE_SPEED 1"; flags in hex.
+/// Returns names with their numbers: "MODE_NO_CONTROL 0, MODE_SPEED 1"; flags in hex.
 std::string names_text(const EnumInfo& info);
 
-/// For messages about a text that is none.
+/// For messages about an invalid version.
 inline constexpr const char* firmware_example = "a firmware version, such as 2.59 or 2.43b9";
 
-/// Returns the version that a text such as "2.59", "2.43b9" or "2.74.5" names; nothing if it names
-/// none.
+/// Parses a version such as "2.59", "2.43b9" or "2.74.5"; returns nothing for other texts.
 inline std::optional<msg::FirmwareVersion> parse_firmware(std::string_view text) {
   if (text.ends_with('.') || text.ends_with('b')) return {};
   const auto take = [&](char end, std::size_t least, std::size_t most) -> std::optional<unsigned> {
@@ -45,7 +44,7 @@ inline std::optional<msg::FirmwareVersion> parse_firmware(std::string_view text)
     return size >= least && size <= most ? value : std::nullopt;
   };
   const auto major = take('.', 1, 2);
-  // From 2.73 on, the last number comes after another point.
+  // Since 2.73, another point precedes the last number.
   const auto minor = take(text.find('b') == std::string_view::npos ? '.' : 'b', 2, 2);
   const auto last = text.empty() ? 0U : take('\0', 1, 1);
   msg::FirmwareVersion version;
@@ -54,7 +53,7 @@ inline std::optional<msg::FirmwareVersion> parse_firmware(std::string_view text)
   return fits ? std::optional(version) : std::nullopt;
 }
 
-/// Returns why a text is not a firmware version; "" if it is one.
+/// Returns the reason why a text is not a firmware version; "" if it is one.
 inline std::string firmware_problem(const std::string& text) {
   return parse_firmware(text) ? "" : '\'' + text + "' is not " + firmware_example;
 }

@@ -36,7 +36,7 @@ std::string real_text(const Leaf& leaf) {
 
 std::string csv_text(std::string_view text) {
   std::string result;
-  // As in JSON, bytes that are not UTF-8 become characters of the private use area.
+  // As in JSON, invalid UTF-8 is mapped to the private use area.
   const std::string utf8 = detail::to_utf8(text);
   detail::for_each_sequence(utf8, [&](std::string_view sequence, bool) {
     const char32_t c = detail::code_point(sequence);

@@ -17,11 +17,11 @@ std::string real_text(const Leaf& leaf);
 
 /// Returns the cell of a CSV table: a number in its unit, a quoted text, hex bytes, or "".
 std::string csv_cell(const Leaf& leaf);
-/// Quotes a text for CSV if necessary. What does not belong on a terminal becomes an escape, such
-/// as \x1b for an ASCII control or a stray byte, or \u009b for a character of several bytes.
+/// Quotes a text for CSV if necessary. Characters that are unsafe on a terminal become escapes,
+/// such as \x1b for an ASCII control or a stray byte, or \u009b for a character of several bytes.
 std::string csv_text(std::string_view text);
 
-/// Returns {"raw": …} with "real" and "unit" of a quantity, and "text" of a value with a name.
+/// Returns {"raw": …} with "real" and "unit" for a quantity, and "text" for a named value.
 Json leaf_json(const Leaf& leaf);
 
 }  // namespace sbgc::tools

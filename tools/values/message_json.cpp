@@ -16,7 +16,7 @@ namespace sbgc::tools {
 
 namespace {
 
-/// Returns the JSON of a name or several; an integer of 64 bits is text.
+/// Returns the JSON of one or several names; integers of 64 bits are text.
 Json number_of(const FieldType& type, const std::string& text) {
   const ParsedValue parsed = parse_value(type, nullptr, text);
   if (!parsed) throw ValueError(parsed.problem);
@@ -40,7 +40,7 @@ void replace_in_members(const std::vector<FieldType>& members, Json& fields,
   }
 }
 
-/// Returns the flags of a list of names: "A|B".
+/// Joins a list of flag names: "A|B".
 std::string joined_names(const Json& list) {
   std::string text;
   for (const Json& one : list) {
@@ -84,7 +84,7 @@ void replace_in(const FieldType& type, Json& value, const std::string& path) {
   }
 }
 
-/// Stands for a value that a line leaves out; no text has it.
+/// Marks a value that a line omits; no text has it.
 const Json missing(Json::value_t::discarded);
 
 void complete(const FieldType& type, Json& value);
@@ -98,7 +98,7 @@ void complete_members(const std::vector<FieldType>& members, Json& fields) {
   }
 }
 
-/// Fills in what a value lacks, as in a new message. The reader objects to what has another shape.
+/// Fills in missing values, as in a new message. The reader objects to other shapes.
 void complete(const FieldType& type, Json& value) {
   const bool is_new = value.is_discarded();
   switch (type.shape) {
@@ -129,7 +129,7 @@ void complete(const FieldType& type, Json& value) {
     case FieldShape::announced: value = {{name(NumberType::u8), 0}}; return;
     case FieldShape::real: value = 0.0; return;
     default:
-      // 64 bits are text.
+      // 64-bit integers are text.
       value = type.size == sizeof(std::uint64_t) ? Json(std::to_string(type.initial))
                                                  : Json(type.initial);
   }

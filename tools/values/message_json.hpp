@@ -1,4 +1,4 @@
-/// The values of messages as JSON, as in `sbgc decode`, for programs that build them part by part.
+/// The values of messages as JSON, as in `sbgc decode`, for programs that build them step by step.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace sbgc::tools {
 
 /// Returns the message with these fields. Throws JsonError if they do not describe it.
 AnyMessage message_of(const MessageType& type, const Json& fields);
-/// The same; fields that are missing are as in a new message.
+/// The same; missing fields are as in a new message.
 AnyMessage message_with_defaults(const MessageType& type, Json fields);
 
 /// Replaces names of values and lists of flags in the JSON of a message by their numbers. Leaves

@@ -22,7 +22,7 @@ constexpr bool is_in_word(char c) {
   return (lower >= 'a' && lower <= 'z') || (c >= '0' && c <= '9');
 }
 
-/// Words of any question, and those that name the gimbal.
+/// Stop words, including the names of the product.
 constexpr std::array common_words{
     "a",     "about",   "after", "alexmos", "an",      "and",     "any",    "are",       "as",
     "at",    "basecam", "be",    "been",    "before",  "board",   "by",     "can",       "cannot",
@@ -35,7 +35,7 @@ constexpr std::array common_words{
     "while", "who",     "why",   "will",    "with",    "without", "work",   "works",     "you",
     "your"};
 
-/// Words that say only what kind of thing is meant.
+/// Words that name only the kind of a thing.
 constexpr std::array filler_words{"cmd", "command", "commands", "id", "message"};
 
 /// The words of a text, in lower case. `is_part(c)` is true for the characters of words.
@@ -54,7 +54,7 @@ std::vector<std::string> words_of(std::string_view text, const IsPart& is_part) 
   return result;
 }
 
-/// True if a word of the text means the same; both may be in the plural.
+/// True if a word of the text means the same; both may be plurals.
 bool occurs(std::string_view text, std::string_view word) {
   if (word.size() > 3 && word.ends_with('s') && occurs(text, word.substr(0, word.size() - 1))) {
     return true;
@@ -100,17 +100,16 @@ Query::Query(std::string_view text) {
   }
 }
 
-std::vector<std::string> telling_words(std::string_view question) {
+std::vector<std::string> significant_words(std::string_view question) {
   const auto is_part = [](char c) {
     return is_in_word(c) || static_cast<unsigned char>(c) >= 0x80;
   };
   std::vector<std::string> words = words_of(question, is_part);
-  std::vector<std::string> telling;
-  std::copy_if(words.begin(), words.end(), std::back_inserter(telling), [](const auto& word) {
+  std::vector<std::string> significant;
+  std::copy_if(words.begin(), words.end(), std::back_inserter(significant), [](const auto& word) {
     return !has_word(common_words, word) && !has_word(filler_words, word);
   });
-  if (telling.empty()) return words;
-  return telling;
+  return significant.empty() ? words : significant;
 }
 
 std::string without_fillers(std::string_view text) {

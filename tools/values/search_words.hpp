@@ -1,4 +1,4 @@
-/// The words by which people search: topics of parameters and synonyms.
+/// Search words: topics of parameters and synonyms.
 #pragma once
 
 #include <cstdint>
@@ -20,18 +20,18 @@ bool is_named(const TopicReference& topic, std::string_view word);
 /// The topics of a parameter, its own first. Empty for other fields.
 std::vector<const TopicReference*> topics_of(const FieldInfo& field);
 
-/// Returns the words of a question that say what is meant, in lower case: "How do I set the P
-/// gain?" gives "set", "p", "gain". The parts of a name are words. If no word says it, all are
+/// Returns the words of a question without stop words, in lower case: "How do I set the P gain?"
+/// gives "set", "p", "gain". The parts of a name are words. If only stop words are there, all are
 /// returned.
-std::vector<std::string> telling_words(std::string_view question);
+std::vector<std::string> significant_words(std::string_view question);
 
-/// Returns the text without words such as "command", and without the signs of a sentence.
+/// Returns the text without words such as "command", and without punctuation.
 std::string without_fillers(std::string_view text);
 
-/// Where something has a word.
+/// The place of a search word in an entry.
 enum class WordPlace : std::uint8_t { nowhere, text, name };
 
-/// The words that somebody searches for. All of them must fit.
+/// The words of a search.
 class Query {
  public:
   explicit Query(std::string_view text);

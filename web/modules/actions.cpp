@@ -26,15 +26,15 @@ namespace {
 
 using detail::degrees_between;
 
-/// How long the camera turns after the last command.
+/// The camera turns this long after the last command.
 constexpr std::chrono::milliseconds bound{500};
 constexpr Duration interval = milliseconds(50);
-/// The rest of the way, in degrees, which a single command moves.
+/// The last part of the way, in degrees, which a single command moves.
 constexpr double short_way = 1;
-/// Speed for each degree that is left, so that the camera slows down before its target.
+/// Speed per remaining degree, so that the camera slows down before its target.
 constexpr double speed_per_degree = 2;
 constexpr double least_speed = 1;  // deg/s
-/// A camera that has not moved by more than this, in degrees, does not turn.
+/// A camera that has moved by at most this, in degrees, is not turning.
 constexpr double noise = 0.2;
 constexpr Duration patience = seconds(1);
 
@@ -78,7 +78,7 @@ Task<Result<void>> approach(MoveTarget target, MoveOptions options, detail::Boun
     if (is_near) co_return Result<void>();
     const bool turns = is_turning(*state, speeds);
     has_begun = has_begun || turns;
-    // The bound of a late command ends the motion, too.
+    // The motion also ends if the next command is late.
     const bool is_stopped = has_begun && !turns && task.now() - sent < detail::duration_of(bound);
     still_polls = is_stopped ? still_polls + 1 : 0;
     if (still_polls == 2) {
@@ -93,7 +93,7 @@ Task<Result<void>> approach(MoveTarget target, MoveOptions options, detail::Boun
     if (task.now() >= end) {
       co_return ClientError{ErrorCode::timeout, "the camera has not arrived in time"};
     }
-    if (is_stopped) {  // a command could undo the stop of another program
+    if (is_stopped) {  // a command could cancel the stop of another program
       const Result<void> waited = co_await tasks::wait_until(task.now() + interval);
       if (!waited) co_return waited;
       continue;
@@ -106,9 +106,9 @@ Task<Result<void>> approach(MoveTarget target, MoveOptions options, detail::Boun
   }
 }
 
-/// As tasks::move_to(), but turns at speeds that last for half a second, so that the camera brakes
-/// if the page is gone. The last degree is a move to the target.
-/// Errors: those of move_to(), and `invalid` without a speed.
+/// Like tasks::move_to(), but turns at speeds that last for half a second, so that the camera
+/// brakes if the page is gone. The last degree is a move to the target. Errors: those of move_to(),
+/// and `invalid` without a speed.
 Task<Result<MoveProgress>> bounded_move(MoveTarget target, MoveOptions options) {
   if (options.speed.raw() <= 0) {
     co_return ClientError{ErrorCode::invalid, "a move needs a speed"};

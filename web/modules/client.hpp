@@ -1,4 +1,4 @@
-/// The client of a page: a PassiveClient with what it reports.
+/// The client of a page: a PassiveClient that collects reports.
 #pragma once
 
 #include <cstddef>
@@ -36,8 +36,8 @@ class Client {
   /// Identifies the board, and then watches it. With `searches`, finds the settings of the line
   /// first, and reports each that it tries.
   void connect(bool searches = false);
-  /// Moves and turns in a way that ends by itself when no more commands reach the board, and that
-  /// yields when somebody else has stopped the camera.
+  /// Makes moves and turns end by themselves when no more commands reach the board, and yield when
+  /// somebody else has stopped the camera.
   void bound_moves() { bounds_moves_ = true; }
   bool bounds_moves() const { return bounds_moves_; }
   /// Begins an action, which is described in actions.hpp. Returns what is wrong with its text.
@@ -80,7 +80,7 @@ class Client {
   PassiveClient client_{};
   Subscription notices_{};
   View view_{};
-  std::string errors_{"\n"};  // that were reported last; at first something else
+  std::string errors_{"\n"};  // the last reported errors; at first something else
   std::string reports_{};
   bool bounds_moves_ = false;
 };

@@ -52,7 +52,7 @@ void put_message(JsonWriter& out, const DecodedFrame& decoded) {
   put_rows(out, is_known ? decoded.rows : Rows());
 }
 
-/// Writes what sbgc_rejected_candidates() says of a frame whose checksum is wrong: any row may be.
+/// Writes the rejected candidate of a frame with a wrong checksum: any row may be wrong.
 void put_damaged(JsonWriter& out, std::span<const std::uint8_t> input,
                  const RejectedCandidate& candidate, std::optional<Direction> direction) {
   const auto from = input.subspan(static_cast<std::size_t>(candidate.offset));
@@ -70,7 +70,7 @@ void put_damaged(JsonWriter& out, std::span<const std::uint8_t> input,
   });
 }
 
-/// The same of a frame without its start byte.
+/// Does the same for a frame without its start byte.
 void put_bare(JsonWriter& out, const BareFrame& bare, std::optional<Direction> direction) {
   FrameDecoder decoder({.rows = true});
   const DecodedFrame decoded = decoder.decode(bare.frame, direction);

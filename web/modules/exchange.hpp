@@ -1,5 +1,5 @@
-/// How a page and the module exchange texts and bytes: the page calls input() for a buffer, fills
-/// it, calls a function, and reads output(). Many texts consist of settings, NAME=VALUE.
+/// Exchanges texts and bytes between a page and the module: the page calls input() for a buffer,
+/// fills it, calls a function, and reads output(). Many texts consist of NAME=VALUE settings.
 #pragma once
 
 #include <algorithm>
@@ -33,7 +33,7 @@ inline std::string_view input_text() {
   return {reinterpret_cast<const char*>(input.data()), input.size()};
 }
 
-/// Takes what precedes the separator from a text, with the separator.
+/// Returns the text before the separator, and removes both from `text`.
 inline std::string_view take_until(char separator, std::string_view& text) {
   const std::string_view part = text.substr(0, text.find(separator));
   text.remove_prefix(std::min(part.size() + 1, text.size()));

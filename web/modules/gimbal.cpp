@@ -26,7 +26,7 @@ SBGC_EXPORT(client_receive) void client_receive(double now) {
   if (client()) client()->passive().receive(tools::exchange().input, at(now));
 }
 
-/// The output is what to send.
+/// Outputs the bytes to send.
 SBGC_EXPORT(client_advance) void client_advance(double now) {
   std::string& output = tools::exchange().output;
   output.clear();
@@ -40,7 +40,7 @@ SBGC_EXPORT(client_written) void client_written(double now) {
   if (client()) client()->passive().written(at(now));
 }
 
-/// When to call client_advance() at the latest.
+/// Returns the latest time to call client_advance().
 SBGC_EXPORT(client_deadline) double client_deadline() {
   return in_us(client() ? client()->passive().deadline() : Instant::never);
 }

@@ -28,7 +28,7 @@ class JsonWriter {
     value().put(number);
   }
 
-  /// A list or an object of what `content()` writes.
+  /// Writes a list or an object with the content that `content()` writes.
   template <class Content>
   void list(Content&& content) {
     open('[');
@@ -41,7 +41,7 @@ class JsonWriter {
     content();
     close('}');
   }
-  /// A list of values.
+  /// Writes a list of values.
   template <class... Values>
   void values(const Values&... all) {
     list([&] { (put(all), ...); });
@@ -59,7 +59,7 @@ class JsonWriter {
     key(name).put(value);
   }
 
-  /// Where to write a value that is JSON already.
+  /// Returns the output for a value that is already JSON.
   TextOutput& value() {
     if (follows_) out_.put(',');
     follows_ = true;

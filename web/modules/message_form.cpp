@@ -13,7 +13,7 @@ using web::JsonWriter;
 
 namespace {
 
-/// True for what no one sets: it follows from other values, or has no meaning.
+/// True for a field that nobody sets: it follows from other values, or has no meaning.
 bool is_left_out(const FieldType& type) {
   return type.is_counter || type.is_tail() || (type.info != nullptr && type.info->reserved);
 }
@@ -67,7 +67,7 @@ void put_part(JsonWriter& out, const PartInfo& part, std::uint64_t raw) {
   });
 }
 
-/// Returns the limits of a number, and the values with a meaning of their own.
+/// Returns the limits of a number, and the values with special meanings.
 std::string hint_of(const FieldType& field) {
   std::string hint = range_text(field);
   const FieldType& type = field.innermost();

@@ -45,11 +45,11 @@ class MessageForm {
   /// "optional" is set for what may be missing; its value is then "".
   void put_fields(web::JsonWriter& out) const;
 
-  /// Returns what makes this message from a new one, in an order that works.
+  /// Returns the assignments that make this message from a new one, in a valid order.
   std::vector<FormLine> lines() const;
 
  private:
-  /// A value as it stands in the message.
+  /// The present and initial text of a value in the message.
   struct Value {
     std::string text{};
     std::string initial{};  ///< the text in a new message

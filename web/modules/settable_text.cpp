@@ -29,7 +29,7 @@ std::string shortest_number(double value, IsRight&& is_right) {
   return "";
 }
 
-/// Reads texts back as the value that they are to stand for.
+/// Reads texts back to check that they encode the value.
 class Reader {
  public:
   Reader(FieldType type, const Leaf& leaf, std::uint64_t present)

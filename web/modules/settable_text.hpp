@@ -9,8 +9,8 @@
 
 namespace sbgc::tools {
 
-/// Returns the shortest text that stands for the value: "10", "MODE_ANGLE", "A|B", "raw:21000".
-/// `present` has the bits that a new message has. Of an element of a list, the text has no comma.
+/// Returns the shortest text that encodes the value: "10", "MODE_ANGLE", "A|B", "raw:21000".
+/// `present` has the bits that a new message has. Texts of list elements have no comma.
 std::string settable_text(const FieldType& type, const Leaf& leaf, std::uint64_t present,
                           bool is_element = false);
 

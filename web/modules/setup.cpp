@@ -1,7 +1,6 @@
-// Exports of the module `setup`: the board, its parameters and their files, and what takes long and
-// needs a person. Profiles count from 1. Progress is reported as
-// {"progress": ID, "of": {"share": 0.5, "text": "…"}}, without a share if it is not known; a result
-// as {"done": ID, "result": …}.
+// Exports of the module `setup`: the board, its parameters and their files, and long tasks that
+// need a person. Profiles count from 1. Progress is reported as {"progress": ID, "of": {"share":
+// 0.5, "text": "…"}}, without a share if it is not known; a result as {"done": ID, "result": …}.
 
 #include "modules/setup.hpp"
 
@@ -49,7 +48,7 @@ void add_missing(Flags<E> flags, Json& names) {
 
 }  // namespace
 
-/// Begins with a new client, whose moves end when nobody sends commands any more.
+/// Starts with a new client, whose moves end when commands cease.
 SBGC_EXPORT(setup_begin) void setup_begin() {
   client()->bound_moves();
   parameters() = {};
@@ -72,7 +71,7 @@ SBGC_EXPORT(setup_read) void setup_read(double id) {
   parameters().read(id, std::string(input_text()));
 }
 
-/// The output has a topic with its parameters in a profile; null behind the last topic.
+/// Outputs a topic with its parameters in a profile; null after the last topic.
 SBGC_EXPORT(setup_topic) void setup_topic(double number, double profile) {
   put(parameters().topic(static_cast<std::size_t>(number), index_of(profile)));
 }
@@ -87,7 +86,7 @@ SBGC_EXPORT(setup_plan_file) void setup_plan_file(double profile) {
   put(parameters().plan_file(input_text(), index_of(profile)));
 }
 
-/// Plans what was there before the last writing.
+/// Plans to restore the parameters from before the last write.
 SBGC_EXPORT(setup_plan_undo) void setup_plan_undo() { put(parameters().plan_undo()); }
 
 /// Makes the next undo go back to the parameters that were read last.
@@ -145,7 +144,7 @@ std::string fill(AnyMessage& request, std::string_view lines) {
   return problem;
 }
 
-/// A board that goes on after an error would shake the camera.
+/// A board that continues after an error would shake the camera.
 Task<Result<void>> tune(msg::AutoPidRequest request, TuningOptions options) {
   const Result<void> tuned = co_await tasks::run_tuning(request, options);
   if (tuned) co_return tuned;
@@ -187,7 +186,7 @@ SBGC_EXPORT(setup_calibrations) void setup_calibrations() {
   tools::exchange().output = detail::json_text(result);
 }
 
-/// Looks whether the gimbal is ready for the calibration in the input.
+/// Checks whether the gimbal is ready for the calibration in the input.
 SBGC_EXPORT(setup_check) void setup_check(double id) {
   const Calibration* const one = calibration_named(input_text());
   if (one == nullptr) return client()->report_end(id, "there is no such calibration");

@@ -21,7 +21,7 @@ void report_progress(double id, double share, std::string_view text);
 /// Reports the end of a task with a result.
 void report_result(double id, const Json& result);
 
-/// The parameters of the board, and the values that somebody wants for them.
+/// The parameters of the board, and the wanted values.
 class Parameters {
  public:
   /// Reads all of them; reports the active profile.
@@ -32,9 +32,9 @@ class Parameters {
   Json plan_values(std::string_view lines, std::uint8_t profile);
   /// Plans the contents of a file: a backup, or the elements of one of the vendor's program.
   Json plan_file(std::string_view text, std::uint8_t profile);
-  /// Plans what was there before the last writing.
+  /// Plans to restore the parameters from before the last write.
   Json plan_undo();
-  /// Writes the plan, what changes the line last, and reads everything again.
+  /// Writes the plan, line settings last, and reads everything again.
   void write(double id, std::string created);
   /// Remembers the parameters, so that the next undo goes back to them.
   void remember() { before_ = read_.parameters; }
@@ -49,8 +49,8 @@ class Parameters {
   Task<WriteReport> write_plan();
 
   Backup read_{};
-  ParameterSet before_{};  // the last writing
-  ParameterSet wanted_{};  // the blocks that the plan has
+  ParameterSet before_{};  // before the last write
+  ParameterSet wanted_{};  // the blocks of the plan
   bool validates_ = true;  // false for values that a board has held
 };
 

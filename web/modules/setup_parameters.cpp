@@ -218,7 +218,7 @@ Json Parameters::plan_values(std::string_view lines, std::uint8_t profile) {
       std::string problem =
           is_there ? message.assign(path, value, false, versions) : "the board does not have it";
       if (problem.empty()) return changed.emplace_back(path), void();
-      if (is_general && block.id.copy != profile) return;  // said once
+      if (is_general && block.id.copy != profile) return;  // reported once
       problems.emplace_back(name, std::move(problem));
     });
     if (changed.empty()) continue;

@@ -1,4 +1,4 @@
-// What workers answer their pages.
+// Results of workers for their pages.
 
 import type { Report } from "./worker_messages.js";
 
@@ -7,7 +7,7 @@ type Done = Extract<Report, { kind: "done" }>;
 export const sentenceOf = (error: unknown): string =>
   error instanceof Error ? error.message : String(error);
 
-/** Tells the page how the work has ended that it asked for. */
+/** Reports the end of the requested work to the page. */
 export function answer(say: (report: Done) => void, id: number, work: Promise<object | void>): void {
   work.then(
     (result) => say({ kind: "done", id, ...result }),

@@ -5,7 +5,7 @@ import type { Finding } from "./modules.js";
 import type { Axes, View } from "./worker_messages.js";
 import { bytesOf, hexOf, type Wasm } from "./wasm.js";
 
-/** What a request has led to. */
+/** The result of a request. */
 export interface Reply {
   /** `unconfirmed`: a confirmation was possible. `sent`: the protocol has none. */
   kind: "answered" | "confirmed" | "unconfirmed" | "sent";
@@ -27,7 +27,7 @@ export interface LineSettings {
   parity: "none" | "even";
 }
 
-/** How far a task is. `share` is 0 to 1; it is absent if it is not known. */
+/** The progress of a task. `share` is 0 to 1; it is absent if it is not known. */
 export interface Progress {
   share?: number;
   text: string;
@@ -140,7 +140,7 @@ export class Client {
     };
   }
 
-  /** Begins what reports its end under a number; `start` returns what is wrong. */
+  /** Starts a task that reports its end under a number; `start` returns an error text. */
   protected begin(
     start: (id: number) => string,
     progressed?: (progress: Progress) => void,
@@ -151,7 +151,7 @@ export class Client {
     return new Promise((resolve, reject) => this.#waiting.set(id, { resolve, reject, progressed }));
   }
 
-  /** Ends everything that waits. */
+  /** Ends all pending tasks. */
   close(reason: string): void {
     for (const { reject } of this.#waiting.values()) reject(new Error(reason));
     this.#waiting.clear();

@@ -21,7 +21,7 @@ export interface LineEnd {
   close(): Promise<void>;
 }
 
-/** What its owner is told. */
+/** Callbacks of its owner. */
 export interface Watcher {
   /** Bytes of the line. */
   observed?(from: Direction, bytes: Uint8Array): void;
@@ -95,7 +95,7 @@ export class Connection<Kind extends Client = Client> {
     return this.#settings;
   }
 
-  /** Begins what a client does. */
+  /** Starts a task of the client. */
   begin<Result>(work: (client: Kind) => Promise<Result>): Promise<Result> {
     if (this.#end !== undefined) return Promise.reject(new Error(this.#end));
     const result = work(this.client);

@@ -41,7 +41,7 @@ export class EmulatedGimbal {
   run(until: number, goesOn: () => boolean = () => true): boolean {
     for (;;) {
       this.#step();
-      // Within one microsecond, what each sends may make the other go on.
+      // Within one microsecond, the bytes of each may make the other continue.
       const next = Math.max(Math.min(this.client.deadline, this.board.next), this.#now + 1);
       if (next > until) break;
       if (!goesOn()) return false;

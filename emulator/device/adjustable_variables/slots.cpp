@@ -19,7 +19,7 @@ constexpr Duration period = milliseconds(20);
 
 constexpr unsigned levels = std::tuple_size_v<decltype(msg::TriggerSlot::action)>;
 
-/// Returns which of five equally wide levels a signal has.
+/// Returns the number of the signal's level; there are five equally wide ones.
 unsigned level_of(double signal) {
   const double share = (signal + 1) / 2;
   return static_cast<unsigned>(std::clamp(std::floor(share * levels), 0.0, levels - 1.0));
@@ -86,7 +86,7 @@ void Slots::advance(Instant now, MenuParts& menu) {
     slot.action = action;
     if (action == msg::MenuCommand::none) continue;
     execute_menu(menu, action, now);
-    return;  // and go on at once, with the parameters that the action has changed
+    return;  // then continue at once, with the parameters that the action has changed
   }
   next_trigger_ = 0;
   next_ = next_ + period;

@@ -50,7 +50,7 @@ class Slots {
   std::array<Trigger, triggers> triggers_{};
   std::array<Analog, analogs> analogs_{};
   std::uint8_t profile_{};      ///< the profile in which the values were set
-  std::size_t next_trigger_{};  ///< not 0 after an action: advance() goes on here
+  std::size_t next_trigger_{};  ///< not 0 after an action: advance() continues here
   Instant next_ = Instant::never;
 };
 

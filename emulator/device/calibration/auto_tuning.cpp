@@ -21,7 +21,7 @@ constexpr std::array axis_flags{msg::AutoPidFlag::roll, msg::AutoPidFlag::pitch,
 constexpr Duration round_time = milliseconds(500);
 constexpr unsigned rounds_per_axis = 20;
 constexpr unsigned rounds_for_filter = 5;
-/// How far the board shakes the camera, in degrees.
+/// The amplitude with which the board shakes the camera, in degrees.
 constexpr double shake = 0.3;
 
 constexpr std::uint64_t seed_of(const CalibrationParts& parts) {

@@ -21,7 +21,7 @@ constexpr std::uint32_t samples_of_message = 20;
 /// complete.
 constexpr double stimulus_per_gain = 20;
 constexpr double fade_in_samples = 375;
-/// How far the stimulus turns the camera, in degrees.
+/// The amplitude of the camera during a stimulus, in degrees.
 constexpr double visible_shake = 0.1;
 /// Assumption: the code for a recording that the motors could not finish.
 constexpr std::uint16_t motors_are_off = 1;
@@ -130,7 +130,7 @@ void FrequencyResponse::drop_port(std::size_t port) {
 void FrequencyResponse::restart(Instant) { run_.reset(); }
 
 AxisResponse::AxisResponse(msg::BodeSystem system) : system_(system) {
-  // The poles of the damped oscillation, a turn in the complex plane for each sample.
+  // The poles of the damped oscillation, rotated in the complex plane by one sample.
   const double turn = 2 * std::numbers::pi * resonance * sample_time;
   const double radius = std::exp(-damping * turn);
   first_ = 2 * radius * std::cos(turn * std::sqrt(1 - damping * damping));

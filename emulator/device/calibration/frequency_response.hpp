@@ -1,4 +1,4 @@
-/// Recording of a frequency response, and the system whose response it is.
+/// Recording of a frequency response, and the recorded system.
 #pragma once
 
 #include <cstddef>
@@ -13,9 +13,9 @@
 
 namespace sbgc::emulator {
 
-/// A camera on a motor that is not stiff, as a filter of samples of 0.8 ms: two poles at
-/// `resonance`, and one sample of delay. A controller multiplies by a constant. Assumption: all of
-/// this; a real board has a system of its own.
+/// A camera on a motor that is not stiff, modeled as a filter of samples of 0.8 ms: two poles at
+/// `resonance`, and one sample of delay. A controller multiplies by a constant. All of this is an
+/// assumption; a real board has its own system.
 class AxisResponse {
  public:
   static constexpr double sample_time = 0.0008;  ///< seconds
@@ -37,7 +37,7 @@ class AxisResponse {
   double output_ = 0, earlier_output_ = 0;
 };
 
-/// CMD_BODE_TEST_START_STOP: shakes an axis and sends what goes in and what comes out.
+/// CMD_BODE_TEST_START_STOP: shakes an axis and sends its input and output.
 class FrequencyResponse {
  public:
   /// Precondition: the values of the request are valid. Returns false, without effect, if a

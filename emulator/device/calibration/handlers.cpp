@@ -167,7 +167,7 @@ Reaction handle(RequestContext& context, const msg::CalibGyroExt& request,
                    milliseconds(request.time_ms.raw()));
 }
 
-/// Assumption: a magnetometer has no temperature calibration and no memory of its own.
+/// Assumption: a magnetometer has no temperature calibration and no own memory.
 Reaction handle(RequestContext& context, const msg::CalibMagExt& request, CalibrationParts& parts) {
   const auto imu = index_of(parts.imus, request.imu_idx);
   if (!imu) return RequestContext::ignore();

@@ -1,4 +1,4 @@
-/// Serial control: which port moves the camera, for how long, and how.
+/// Serial control: the controlling port, its timeout, and its configuration.
 #pragma once
 
 #include <array>
@@ -21,9 +21,9 @@ class ControlLink {
  public:
   /// Ports 0 to 3 are UART1, RC_SERIAL, UART2 and USB_VCP or UART3. Assumption.
   void configure(Modes& modes, const msg::ControlConfig& config, std::size_t port, Instant now);
-  /// True if control commands of this port count: no other port has a higher priority.
+  /// True if control commands of this port are accepted: no other port has a higher priority.
   bool admits(std::size_t port) const;
-  /// A control command was executed: its timeout begins.
+  /// Restarts the timeout after a control command was executed.
   void commanded(Instant now);
   bool confirms() const { return confirms_; }
   /// Changes the tuning of the gimbal by this configuration.

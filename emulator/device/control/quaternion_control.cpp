@@ -10,7 +10,7 @@
 namespace sbgc::emulator {
 namespace {
 
-/// How often a speed in space is converted to speeds of the axes.
+/// The interval for converting a speed in space to speeds of the axes.
 constexpr Duration turn_period = milliseconds(20);
 
 Pose pose(const Tuning& tuning, const Axes<double>& angles) {
@@ -25,7 +25,7 @@ std::array<float, 4> wire(const Quaternion& quaternion) {
   return out;
 }
 
-/// The rotation in space that these derivatives of the Euler angles are.
+/// Returns the rotation in space for these derivatives of the Euler angles.
 Vector speed_of(const Pose& pose, const Axes<double>& speeds) {
   return to_world(pose.rotation(), pose.rates(speeds));
 }

@@ -27,7 +27,7 @@ class QuaternionControl {
   static bool are_supported(const BoardOptions& options);
   /// Follows a new target, or none if its mode is DISABLED.
   void command(Gimbal& gimbal, const Tuning& tuning, const Target& target, Instant now);
-  /// Another command controls the axes from now on.
+  /// Ends the control, because another command controls the axes.
   void end();
   void configure(const msg::ControlQuatConfig& config);
   msg::ControlQuatStatus status(Gimbal& gimbal, const Tuning& tuning,

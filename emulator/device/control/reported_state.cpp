@@ -45,7 +45,7 @@ msg::PowerState power_state(const ControlParts& control) {
 
 namespace {
 
-/// Assumption: how often the board looks for changes that no request causes.
+/// Assumption: the interval for detecting changes that no request causes.
 constexpr Duration watch_period = milliseconds(20);
 
 }  // namespace
@@ -80,7 +80,7 @@ void Events::watch(MenuParts& parts, Instant now) {
 }
 
 void Events::advance(Instant now, MenuParts& parts) {
-  // Notices that the battery is empty.
+  // Detects that the battery is empty.
   static_cast<void>(parts.gimbal.sample(now));
   watch(parts, now);
 }

@@ -40,12 +40,12 @@ using AxisTargets = Axes<std::optional<AxisTarget>>;
 
 AxisTargets targets_of(const msg::ControlExtCommand& request);
 
-/// Returns the command for the gimbal; nothing if there is no such mode. MODE_IGNORE gives no
+/// Returns the command for the gimbal; nothing if there is no such mode. MODE_IGNORE results in no
 /// command and must be handled before.
 std::optional<AxisCommand> command_of(const ControlParts& parts, std::size_t axis,
                                       const AxisTarget& target, Instant now);
 
-/// True if the end of the motion is to be confirmed.
+/// True if the end of the motion must be confirmed.
 bool is_task(const AxisTarget& target);
 
 }  // namespace sbgc::emulator

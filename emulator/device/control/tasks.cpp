@@ -13,14 +13,14 @@
 namespace sbgc::emulator {
 namespace {
 
-/// Assumption: how often the board checks its tasks.
+/// Assumption: the interval for checking tasks.
 constexpr Duration check_period = milliseconds(20);
 /// Assumption: the longest safe stop.
 constexpr Duration longest_stop = seconds(3);
 /// An axis has arrived if it is nearer to its target than this, in degrees.
 constexpr double arrival_tolerance = 1;
 
-/// The time after which the board gives a task up.
+/// The timeout of a task.
 Duration longest(Tasks::Kind kind) {
   return kind == Tasks::Kind::action ? seconds(59) : seconds(10);
 }

@@ -1,4 +1,4 @@
-/// Motions that end, and the hosts that wait for their end.
+/// Motions that end, and hosts that wait for their end.
 #pragma once
 
 #include <cstddef>
@@ -29,7 +29,7 @@ class Tasks {
   /// Drives one motor for this time, then turns the motors off.
   void synchronize(Gimbal& gimbal, std::size_t axis, double degrees, Duration time, Instant now);
   bool is_stopping() const { return stop_ != Instant::never; }
-  /// Turns the motors on or off, in place of a stop that is under way.
+  /// Turns the motors on or off, and replaces a stop in progress.
   void set_motors(Gimbal& gimbal, bool on, Instant now);
 
   void drop_port(std::size_t port);

@@ -123,7 +123,7 @@ msg::DebugVars3 debug_variable_values(MeasuredParts& parts, Instant now) {
 
 namespace {
 
-/// The flag of a command is the one with its name; other commands have none.
+/// The flag of a command has the same name; other commands have none.
 bool is_filtered(msg::DebugPortCommands filter, std::uint8_t command, bool is_to_host) {
   const auto name_of = [command](const EnumInfo& info) {
     for (const ValueInfo& value : info.values) {

@@ -1,5 +1,4 @@
-/// What hosts use for debugging: internal variables of the board, and copies of the messages on
-/// other ports.
+/// Debugging for hosts: internal variables of the board, and copies of the messages on other ports.
 #pragma once
 
 #include <array>

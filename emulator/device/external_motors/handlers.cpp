@@ -9,7 +9,7 @@ namespace {
 
 bool names(std::uint8_t motors, std::size_t motor) { return ((motors >> motor) & 1U) != 0; }
 
-/// The setpoint of the `index`-th selected motor, from the list that the request has.
+/// Returns the setpoint of the `index`-th selected motor, from the list in the request.
 ExternalMotors::Setpoint setpoint_of(const msg::ExtMotorsControl& request, std::size_t index) {
   if (request.setpoint16) return {.value = (*request.setpoint16)[index], .wraps = true};
   if (request.setpoint32) return {.value = (*request.setpoint32)[index]};

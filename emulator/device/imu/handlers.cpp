@@ -58,7 +58,7 @@ struct WideOptions {
 };
 
 WideOptions wide_options(msg::AhrsHelperMode) { return {}; }
-/// Assumption: translating one vector is like translating both, and the place of the sensor does
+/// Assumption: translating one vector is like translating both, and the position of the sensor does
 /// not matter.
 WideOptions wide_options(msg::AhrsHelperWideMode mode) {
   using enum msg::AhrsHelperWideModeBit;
@@ -166,7 +166,7 @@ Reaction handle(RequestContext& context, const msg::ExtImuDebugInfoRequest&,
   return context.answer(info);
 }
 
-/// The emulated external IMU has no protocol of its own: it repeats the command without data.
+/// The emulated external IMU has no protocol: it repeats the command without data.
 Reaction handle(RequestContext& context, const msg::ExtImuCmd& request,
                 const BoardOptions& options) {
   if (!has_external_imu(options)) return context.refuse(msg::BoardErrorCode::not_supported);

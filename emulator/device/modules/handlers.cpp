@@ -16,7 +16,7 @@ namespace {
 
 constexpr msg::ModuleVersion hardware_version(100);
 
-/// The only request that the emulated modules answer: who they are.
+/// The only request that the emulated modules answer: their identity.
 Reaction introduce(RequestContext& context, const BoardOptions& options,
                    const msg::TransparentSapiRequest& request, std::uint16_t firmware) {
   msg::BoardInfo info;
@@ -30,7 +30,7 @@ Reaction introduce(RequestContext& context, const BoardOptions& options,
   return context.answer(answer);
 }
 
-/// Refuses with the module and the part, as errors of these requests have them.
+/// Refuses with the module and the part, as in errors of these requests.
 Reaction refuse_part(RequestContext& context, msg::ModuleId module, std::uint8_t packet) {
   return context.refuse(msg::BoardErrorCode::wrong_params,
                         static_cast<std::uint32_t>(module) | std::uint32_t{packet} << 16U);

@@ -94,7 +94,7 @@ msg::CanDrvTelemetry telemetry(const BoardOptions& options, ExternalMotors& exte
 }
 
 bool ModuleFlash::start(const msg::ModuleFlashStart& request) {
-  // Assumption: no module takes more.
+  // Assumption: no module accepts more.
   constexpr std::uint32_t most_words = 1U << 20U;
   const std::uint32_t words = request.firmware_size.raw();
   if (words == 0 || words > most_words) return false;

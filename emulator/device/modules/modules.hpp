@@ -17,7 +17,7 @@ namespace sbgc::emulator {
 class ExternalMotors;
 class Gimbal;
 
-/// A module: IMUs of the camera and, if the board has one, of the frame, and a driver for each
+/// A module: an IMU of the camera or, if the board has one, of the frame, or a driver for an
 /// external motor. Assumption: a board with a CAN bus has all of them there.
 struct Module {
   msg::ModuleId id{};
@@ -36,21 +36,21 @@ msg::CanDrvTelemetry telemetry(const BoardOptions& options, ExternalMotors& exte
                                Gimbal& gimbal, std::size_t driver, msg::CanDrvTelemetryFlags fields,
                                msg::MillisecondClock time, Instant now);
 
-/// CMD_MODULE_FLASH_*: takes the parts of a file in their order, for one module at a time. A module
-/// whose loading has begun has no firmware until it ends. A restart of the board drops what is
-/// loading. Assumption: the reasons of refusals.
+/// CMD_MODULE_FLASH_*: accepts the parts of a file in order, for one module at a time. A module has
+/// no firmware from the beginning of an update until its end. A restart of the board discards the
+/// update. Assumption: the reasons of refusals.
 class ModuleFlash {
  public:
   using Firmware = std::vector<std::uint8_t>;
 
-  /// Each returns false, without effect, for what does not fit.
+  /// Each returns false, without effect, for invalid requests.
   bool start(const msg::ModuleFlashStart& request);
   bool write(const msg::ModuleFlashWrite& request);
   bool finish(const msg::ModuleFlashFinish& request);
   /// The number of the next part, modulo 256.
   std::uint8_t next_packet() const { return run_ ? run_->packet : std::uint8_t{0}; }
 
-  /// The firmware that was loaded into a module; empty while or after a loading that did not end.
+  /// The firmware that was loaded into a module; empty during or after an incomplete update.
   /// Nothing for a module with its first firmware.
   const std::map<msg::ModuleId, Firmware>& firmware() const { return firmware_; }
 

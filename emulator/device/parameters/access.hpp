@@ -25,7 +25,7 @@ template <class Request, class... Parameters>
 inline constexpr bool accesses_one<Request, TypeList<Parameters...>> =
     ((reads<Request, Parameters> || writes<Request, Parameters>) || ...);
 
-/// The answer to a request for S, whose body it has: that to an older request may have another id.
+/// The answer to a request for S, with the body of S: an older request may have another answer id.
 template <class Request, class S>
 struct AnswerTo {
   using Type = typename Request::Response;
@@ -57,7 +57,7 @@ void fill_state(const Parameters& parameters, const Imus& imus, S& answer) {
 template <class Request>
 inline constexpr bool accesses_parameters = detail::accesses_one<Request, ParameterMessages>;
 
-/// Handles such a request. Stores any values: the specification does not say that the board checks
+/// Handles such a request. Stores any values: the specification does not require the board to check
 /// them, and it must keep values that it does not understand.
 template <class Request>
 Reaction access_parameters(RequestContext& context, const Request& request, Parameters& parameters,

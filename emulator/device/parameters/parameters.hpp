@@ -38,7 +38,7 @@ inline void set_factory_values(msg::ReadAdjVarsCfg&) {}
 
 /// The ParameterMessages of a new board. All values are assumptions: the specification gives none.
 /// They suit a typical gimbal with three axes and a battery of four lithium cells, are within all
-/// ranges, and use only features of board version 3.0. Reserved bytes are 0.
+/// ranges, and only use features of board version 3.0. Reserved bytes are 0.
 template <class M>
 M factory_parameters(std::uint8_t copy) {
   M out;
@@ -65,7 +65,7 @@ struct OneOfEach<TypeList<Messages...>> {
 };
 
 /// Parameters are bodies of ParameterMessages. The board uses those of the active profile. Changes
-/// of the active parameters alone, such as by adjustable variables, differ from the EEPROM until
+/// of only the active parameters, such as by adjustable variables, differ from the EEPROM until
 /// save() or a restart.
 ///
 /// Fields that hold state of the board (FieldRole::state) are stored as received; the handler of a
@@ -139,7 +139,7 @@ class Parameters {
     apply_later();
   }
 
-  /// The gimbal and the inputs follow each change at the end of a step of the board. Call it if
+  /// The gimbal and the inputs follow each change at the end of a step of the board. Call this if
   /// something else has changed on which they depend.
   void apply_later() { is_changed_ = true; }
   /// True once after each change.
@@ -234,7 +234,7 @@ class Parameters {
     set_copy(message, copy);
     return message;
   }
-  /// The factory parameters, as far as the firmware knows them.
+  /// The factory parameters, limited to those that the firmware knows.
   template <class M>
   M factory(std::uint8_t copy) const {
     M message = factory_parameters<M>(copy);

@@ -15,7 +15,7 @@
 
 namespace sbgc::emulator {
 
-/// Nothing is connected to them; hosts can query their state.
+/// Outputs that are not connected; hosts can query their state.
 class Outputs {
  public:
   static constexpr std::size_t servos = std::tuple_size_v<decltype(msg::ServoOut::servo_time)>;
@@ -40,9 +40,9 @@ class Outputs {
   std::uint16_t high_pins() const;
 
   /// Returns false, without effect, if a pulse does not fit into the period of SERVO_RATE.
-  /// Assumption: a servo takes its pin from any other use.
+  /// Assumption: a servo takes over its pin from any other use.
   bool set_servos(const Parameters& parameters, const msg::ServoOut& request);
-  /// Sets only the selected servos; those of drivers have no pin of the board.
+  /// Sets only the selected servos; those of drivers do not use a pin of the board.
   bool set_servos(const Parameters& parameters, const msg::ServoOutExt& request);
   /// The pulse as in CMD_SERVO_OUT. Precondition: index < servos.
   msg::ServoPulse servo(std::size_t index) const { return servos_[index]; }

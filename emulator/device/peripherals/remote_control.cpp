@@ -27,8 +27,8 @@ double amplified(double signal, int gain) {
   return signal * gain / std::numeric_limits<std::int8_t>::max();
 }
 
-/// Adds the flight controller's share if it is mixed into this axis. Assumption: without a signal
-/// of its own, an axis uses the share alone, as if its own signal were centered.
+/// Adds the flight controller's share if it is mixed into this axis. Assumption: an axis without
+/// its own signal uses the share alone, as if its own signal were centered.
 void mix_in(std::optional<double>& signal, msg::RcMix mix, std::size_t axis,
             std::optional<double> controller, int gain) {
   constexpr std::array targets{msg::MixTarget::roll, msg::MixTarget::pitch, msg::MixTarget::yaw};

@@ -19,7 +19,7 @@ constexpr double pi = 3.14159265358979323846;
 constexpr double full_output = 10000;
 /// Assumption: the current of a motor at full power, in milliamperes.
 constexpr double full_current = 800;
-/// 24 bits of an encoder are a turn.
+/// 24 bits of an encoder are a full turn.
 constexpr double counts_per_degree = (1U << 24U) / 360.0;
 
 msg::AhrsReferences references(bool is_used) {

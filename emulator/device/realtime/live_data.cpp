@@ -153,7 +153,7 @@ std::optional<msg::RealtimeDataCustomFlags> known_blocks(Availability versions,
                                                          msg::RealtimeDataCustomFlags blocks) {
   msg::RealtimeDataCustomRequest request{.flags = blocks};
   limit_to(versions, request);
-  // A message of this size, whatever its values.
+  // Only the size of the message matters, not its values.
   msg::RealtimeDataCustom data;
   std::array<std::uint8_t, max_body_size> body{};
   std::array<std::uint8_t, max_body_size> empty{};

@@ -1,4 +1,4 @@
-/// The parts that live data read, and what is computed from several of them.
+/// The parts that live data read, and values computed from several of them.
 #pragma once
 
 #include <cstddef>
@@ -47,13 +47,13 @@ struct MeasuredParts {
   struct FaultCounts {
     double i2c = 0, serial = 0;
   };
-  FaultCounts counted{};  ///< until `counted_at`, since when the faults are the present ones
+  FaultCounts counted{};  ///< until `counted_at`; the current faults began then
   Instant counted_at{};
 
   /// The time since the start, which wraps every 65.5 s.
   msg::MillisecondClock clock(Instant now) const;
   Duration reported_cycle() const;
-  /// Notes the errors so far; call before the faults change.
+  /// Records the errors so far; call this before the faults change.
   void count_faults(Instant now);
   FaultCounts fault_counts(Instant now) const;
   std::uint16_t i2c_errors(Instant now) const;

@@ -25,7 +25,7 @@ class Streams {
   /// Starts, changes or ends a stream of a port. Returns false if there are too many.
   bool change(Ports& ports, std::size_t port, const msg::DataStreamInterval& request, Instant now);
   void forget(Ports& ports, std::size_t port, Instant now);
-  /// The output buffer of a port may have room again.
+  /// Reports that the output buffer of a port may have room again.
   void has_room(Ports& ports, std::size_t port, Instant now);
   /// Counts the samples skipped until `now`.
   void count_skipped(Ports& ports, Instant now);

@@ -43,7 +43,7 @@ std::optional<std::vector<FileSystem::File>> FileSystem::load() const {
     const auto size = wire::load<std::uint16_t>(entry + 2);
     if (size == no_file) continue;
     File file{wire::load<std::uint16_t>(entry), wire::load<std::uint32_t>(entry + 4), {}};
-    // A valid checksum does not mean that a board wrote the table.
+    // A valid checksum does not prove that a board wrote the table.
     const bool is_there_twice = sbgc::detail::find_by(files, file.id, &File::id) != files.end();
     if (size == 0 || is_there_twice || size > data_size - at) return std::nullopt;
     const auto content = eeprom_.bytes(data_begin + at, size);

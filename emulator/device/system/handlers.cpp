@@ -101,7 +101,7 @@ Reaction handle(RequestContext& context, const msg::PassProtectReadRequest&, con
   return context.answer(msg::PassProtectRead{.flags = msg::PassProtectFlags(memory.pass_protect)});
 }
 
-/// The flags are kept. A board without a password asks nobody for one, whatever is written.
+/// The flags are kept. A board without a password never requires one, whatever is written.
 Reaction handle(RequestContext& context, const msg::PassProtectWrite& request, Memory& memory,
                 BoardOptions& options) {
   if (!options.password.empty() && request.new_password.size() != 0) {

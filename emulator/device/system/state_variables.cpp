@@ -12,8 +12,7 @@
 namespace sbgc::emulator {
 namespace {
 
-/// Assumption: how often the board looks at its sensors for this purpose, and how often it stores
-/// the result.
+/// Assumption: the intervals for reading the sensors for this purpose, and for storing the result.
 constexpr Duration count_period = seconds(5);
 constexpr Duration store_period = seconds(60);
 

@@ -22,7 +22,7 @@ class StateVariables {
 
   Instant next() const { return next_; }
   void advance(Instant now, Gimbal& gimbal, const Parameters& parameters, Memory& memory);
-  /// The board has started.
+  /// Called when the board has started.
   void start(const BoardOptions& options, Memory& memory, const Parameters& parameters,
              Instant now);
 

@@ -1,4 +1,4 @@
-"""Compares two versions of the protocol; severities.py says what a change of each fact breaks."""
+"""Compares two versions of the protocol; severities.py defines the severity of each change."""
 
 from __future__ import annotations
 

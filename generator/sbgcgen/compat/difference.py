@@ -1,7 +1,7 @@
 """Compares two objects by the table of their class; severities.py has the tables.
 
-A table is a sequence of steps, which report in their order what differs: facts (`Row`), lists (`Each`, `Values`),
-and functions for what needs an algorithm.
+A table is a sequence of steps, which report differences in order: facts (`Row`), lists (`Each`, `Values`), and
+functions for comparisons that need an algorithm.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from sbgcgen.model import Position
 
 Step = Callable[["Pair"], None]
 Table = tuple[Step, ...]
-# What is compared: the path of an attribute, or a function of the object.
+# The compared fact: the path of an attribute, or a function of the object.
 Getter = Union[str, Callable[[Any], Any]]
 # The severity, or a function of the old and the new value; None if the change is not reported.
 Severity = Union[Level, Callable[[Any, Any], Optional[Level]]]
@@ -24,9 +24,9 @@ Severity = Union[Level, Callable[[Any, Any], Optional[Level]]]
 
 @dataclass(frozen=True)
 class Pair:
-    """An object that both versions have, and the position at which what differs is reported.
+    """An object that both versions have, and the position at which differences are reported.
 
-    `tables` are those of all classes. `names` are the new names of what the object may name.
+    `tables` are those of all classes. `names` maps names in the object to new names.
     """
 
     changes: Changes
@@ -47,11 +47,11 @@ class Pair:
             step(self)
 
     def both(self, of: Getter) -> tuple[Any, Any]:
-        """A fact about the object in both versions."""
+        """Return a fact about the object in both versions."""
         return fact(self.old, of), fact(self.new, of)
 
     def add(self, level: Level, label: str, old: object, new: object) -> None:
-        """Record a fact about the object that differs."""
+        """Record a different fact about the object."""
         what = ": ".join(filter(None, (self.what, label)))
         self.changes.add(level, what, old, new, self.at)
 
@@ -106,11 +106,11 @@ def rows(level: Severity, *facts: str) -> Table:
 
 @dataclass(frozen=True)
 class Each:
-    """A list of named things; those that both versions have are compared by the table of their class.
+    """A list of named things; the common ones are compared by the table of their class.
 
-    A deleted one has the severity `gone`; an added one is compatible. The report says what is `shown` of these. A
-    deleted and an added one of the same `content` are one with a new name, which has the severity `renamed`. Another
-    name of the same `number` means something else, unless it is an alias.
+    A deleted one has the severity `gone`; an added one is compatible. The report shows their `shown` fact. A deleted
+    and an added one with the same `content` count as renamed, with the severity `renamed`. Another name with the
+    same `number` has a different meaning, unless it is an alias.
     """
 
     of: Getter
@@ -128,7 +128,7 @@ class Each:
             both.compare()
 
     def pairs(self, pair: Pair) -> Iterator[Pair]:
-        """The things that both versions have; reports the others."""
+        """Return the things that both versions have; report the others."""
         old, new = ({fact(t, self.name): t for t in side} for side in pair.both(self.of))
         known, numbers = ({fact(t, self.number): t for t in side.values()} for side in (old, new))
         come = [thing for name, thing in new.items() if name not in old]
@@ -150,7 +150,7 @@ class Each:
                 pair.changes.added(self._what(pair, thing), getattr(thing, "at", pair.at), shown)
 
     def _of_same_number(self, pair: Pair, thing: Any, other: Any) -> Any:
-        """The thing as an alias; otherwise, reports that its number has another meaning."""
+        """Return the thing as an alias; otherwise, report that its number has another meaning."""
         names = fact(thing, self.name), fact(other, self.name)
         if self.is_alias(thing, other):
             pair.changes.add(COMPATIBLE, self._what(pair, thing), *names, other.at)
@@ -160,7 +160,7 @@ class Each:
         return None
 
     def _of_same_content(self, pair: Pair, thing: Any, come: list[Any]) -> Any:
-        """The thing under its new name, which is no longer new then; reports that, or that it is gone."""
+        """Return the renamed thing, and mark it as not new; report the renaming or the deletion."""
         changes, what, content = pair.changes, self._what(pair, thing), fact(thing, self.content)
         alike = [t for t in come if content is not None and fact(t, self.content) == content]
         if not alike:
@@ -183,7 +183,7 @@ class Each:
 
 @dataclass(frozen=True)
 class Replaced:
-    """Something named; if another of the same class takes its place, their content is compared."""
+    """Something named; if another of the same class replaces it, their content is compared."""
 
     of: Getter
     content: Mapping[type, Table]
@@ -196,7 +196,7 @@ class Replaced:
 
 
 class Values(Each):
-    """A list of named facts: an added one is compared with nothing."""
+    """A list of named facts; added ones are not compared."""
 
     def __call__(self, pair: Pair) -> None:
         old, new = ({fact(t, self.name): t for t in side} for side in pair.both(self.of))

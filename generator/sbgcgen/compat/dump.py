@@ -1,7 +1,7 @@
 """Prints the model of a spec folder as JSON. Runs with the generator of any revision.
 
-It therefore imports nothing but `load_layout` of `sbgcgen.build` (or `load_protocol` of the first
-revisions), and expects only a model of dataclasses. Shared objects are printed once. reading.py is
+It therefore imports only `load_layout` of `sbgcgen.build` (or `load_protocol` of the first
+revisions), and only assumes a model of dataclasses. Shared objects are printed once. reading.py is
 the inverse.
 """
 

@@ -23,7 +23,7 @@ def compare_line(layouts: Pair) -> None:
 
 
 def compare_checksums(framings: Pair) -> None:
-    """Compare checksums of the same name; the header and the trailer have the names of all."""
+    """Compare checksums of the same name; the header and the trailer list all names."""
     for checksum in framings.new.checksums:
         old = framings.old.checksum(checksum.name)
         if old is not None:
@@ -31,7 +31,7 @@ def compare_checksums(framings: Pair) -> None:
 
 
 def revision_of(revision: Revision | None) -> tuple[object, ...] | None:
-    """What a revision says."""
+    """The content of a revision."""
     if revision is None:
         return None
     return (revision.date, [added.text for added in revision.adds], revision.changes)
@@ -45,7 +45,7 @@ def settings_text(variable: Variable) -> str:
 
 
 def _content(thing: Quantity | Enum | Packed | Struct) -> Any:
-    """What a type keeps if it gets another name."""
+    """The content of a type that a renaming does not change."""
     if isinstance(thing, Quantity):
         return (thing.scalar, unit_of(thing), thing.summary)
     if isinstance(thing, Enum):
@@ -57,7 +57,7 @@ def _content(thing: Quantity | Enum | Packed | Struct) -> Any:
 
 @dataclass(frozen=True)
 class Types(Each):
-    """Named types. Changes of names are reported first; others call a type by its new name."""
+    """Named types. Renamings are reported first, so that others use the new names."""
 
     content: Getter = _content
 
@@ -89,7 +89,7 @@ def if_type_is_another(old: Type, new: Type) -> Level | None:
 
 
 def if_unit_is_lost(old: Type, new: Type) -> Level | None:
-    """A number has no unit any more; `Replaced` compares the units of two quantities."""
+    """True if a number loses its unit; `Replaced` compares the units of two quantities."""
     is_lost = isinstance(old, Quantity) and not isinstance(new, Quantity)
     return MEANING if is_lost and wire_type(old) == wire_type(new) else None
 
@@ -137,7 +137,7 @@ def compare_special_values(fields: Pair) -> None:
 
 
 def compare_alternatives(fields: Pair) -> None:
-    """Compare the quantities of an alternative unit, and the flags that choose it."""
+    """Compare the quantities of an alternative unit, and the flags that select it."""
     old, new = fields.both("alternative")
     label = "alternative unit"
     if old is None and new is not None:

@@ -1,9 +1,9 @@
-"""Compares two lists of fields: their order and places on the wire, and what is added or deleted.
+"""Compares two lists of fields: their order and positions on the wire, and additions and deletions.
 
-Reserved bytes are not part of the C++ interface; they are members only to keep their values. So new
+Reserved bytes are not part of the C++ interface; they are members only to preserve their values. So new
 fields in reserved bytes are a compatible addition, although the member `reserved` shrinks, moves or
-disappears. The same holds for bytes without a meaning that get names, except that the C++ member is
-lost. A tagged union may get further cases, which do not hold together with those that it has.
+disappears. The same holds for unnamed bytes that get names, except that the C++ member is lost. A tagged
+union may get further cases that exclude its existing ones.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ def compare_structs(structs: Pair) -> None:
 
 
 def compare_rules(structs: Pair) -> None:
-    """Another rule makes values invalid that were valid."""
+    """Report rules that make previously valid values invalid."""
     before, now = structs.both(lambda struct: {rule.text("") for rule in struct.rules})
     what, changes = f"{structs.what}: rule", structs.changes
     for rule in sorted(now - before):
@@ -48,7 +48,7 @@ def compare_fields(owner: Pair, old: Fields, new: Fields, open_ended: bool = Fal
 
 
 class _Lists:
-    """Two lists of fields; `pairs` are those that correspond, `gone` and `come` the others with a name."""
+    """Two lists of fields; `pairs` are the matching ones, `gone` and `come` the other named ones."""
 
     def __init__(self, owner: Pair, old: Fields, new: Fields, places_of: _Places = places) -> None:
         self.owner, self.changes, self.old, self.new = owner, owner.changes, old, new
@@ -74,7 +74,7 @@ class _Lists:
             self.changes.added(self._label(field), field.at, form)
 
     def compare(self, open_ended: bool) -> None:
-        """Compare fields that follow each other in a body."""
+        """Compare consecutive fields of a body."""
         self._compare_pairs()
         named = [field for field in self.gone if self._has_names_now(field)]
         self._report_deleted(named, SOURCE, ", which has names now")
@@ -136,7 +136,7 @@ class _Lists:
         return [(old, new) for old, new in self.pairs if where[id(old)] != where[id(new)]]
 
     def _has_names_now(self, field: Field) -> bool:
-        """True for bytes without a meaning in whose place there are only new fields."""
+        """True for unnamed bytes that were replaced by new fields only."""
         if not isinstance(field.type, Blob) or field.offset is None or not field.size:
             return False
         if field.type.kind != "bytes" or field.may_be_absent:
@@ -154,9 +154,9 @@ class _Lists:
 
 
 def _pairs(old: Fields, new: Fields) -> list[tuple[Field, Field]]:
-    """Corresponding fields: those with the same protocol name, or the same place and form.
+    """Match fields: by protocol name, or by position and form.
 
-    The same name, or that which the new one had before.
+    A former name of the new field counts, too.
     """
     by_name = _by_name(new)
     formerly = {alias.name: key for key, f in by_name.items() for alias in f.aliases}
@@ -210,7 +210,7 @@ def _is_within(field: Field, other: Field) -> bool:
 
 
 def _unfolded(fields: Fields, others: Fields) -> Fields:
-    """The fields, with those of a group that the other version lacks in its place."""
+    """Return the fields; a group that the other version lacks is replaced by its fields."""
     groups = {f.name for f in others if isinstance(f.type, Struct)}
     result: list[Field] = []
     for field in fields:

@@ -1,4 +1,4 @@
-"""Compares commands and messages: which correspond, and the answers and effects of requests."""
+"""Compares commands and messages: their correspondence, and the answers and effects of requests."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ Key = tuple[str, str, Optional[str]]
 
 
 def compare_commands(layouts: Pair) -> None:
-    """Compare commands and their messages; with another name, a command keeps id and directions."""
+    """Compare commands and their messages; a renamed command keeps its id and directions."""
     ways: dict[str, set[str]] = {}
     for message in (*layouts.old.messages, *layouts.new.messages):
         ways.setdefault(message.command, set()).add(message.direction)
@@ -70,7 +70,7 @@ def _compare_messages(layouts: Pair, commands: dict[str, str]) -> None:
 
 
 def _other_form(message: Message, command: str, left: dict[Key, Message]) -> Message | None:
-    """The same message as another form or in the other direction, found by its name or body."""
+    """Find the same message as another form or in the other direction, by name or body."""
     candidates = [m for m in left.values() if m.command == command]
     same_way = [m for m in candidates if m.direction == message.direction]
     found = [m for m in candidates if m.name == message.name]
@@ -79,7 +79,7 @@ def _other_form(message: Message, command: str, left: dict[Key, Message]) -> Mes
     return found[0] if found else None
 
 
-# Adding further forms to the only one changes no body.
+# Adding forms to a command with a single form changes no body.
 OTHER_FORM = (
     Row("direction", WIRE),
     Row("form", lambda old, new: COMPATIBLE if {old, new} == {None, "simple"} else WIRE),
@@ -95,7 +95,7 @@ def contexts(message: Message) -> list[object]:
 
 
 def sources(message: Message) -> list[object]:
-    """Where these facts come from."""
+    """The sources of these facts."""
     return [(c.sources, c.announced) for c in message.contexts]
 
 
@@ -115,7 +115,7 @@ def stops(message: Message) -> list[list[str]]:
 
 
 def compare_ends(messages: Pair) -> None:
-    """Compare the versions that no longer accept a message, and what replaces it."""
+    """Compare the versions that no longer accept a message, and its replacement."""
     old, new = messages.both("until")
     if old is not None:
         old = replace(old, instead=messages.names.get(old.instead, old.instead))
@@ -127,7 +127,7 @@ def _end(until: Until) -> list[object]:
 
 
 def compare_roles(messages: Pair) -> None:
-    """Compare roles, by which programs find messages."""
+    """Compare roles, which programs use to find messages."""
     old, new = messages.both("role")
     if old and new and old.kind == new.kind:
         roles = messages.inner(": role", old, new)
@@ -187,7 +187,7 @@ def _condition_words(case: AnswerCase | EffectCase) -> str:
 def compare_effects(messages: Pair) -> None:
     """Programs may rely on the effect, for example to confirm requests that move the camera.
 
-    New values of an enum may have any.
+    New values of an enum may have any effect.
     """
     old, new = messages.both("effect")
     before, now = ([_effect_words(c) for c in e.cases] if e else [] for e in (old, new))

@@ -3,7 +3,7 @@
 The language of the YAML may change, so a revision's spec is read by the generator of that revision,
 which prints its model (see dump.py). Classes and fields that this model lacks are dropped; fields
 that the old model lacks get default values. `RENAMED` maps former names of classes and fields, and
-`_UPGRADES` converts former shapes.
+`_UPGRADES` converts former structures.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from sbgcgen.build import load_layout
 from sbgcgen.compat.revision import Version
 from sbgcgen.model import Layout
 
-# Current names by former ones, of classes and of fields as "Class.field".
+# Current names by former names, of classes and of fields as "Class.field".
 RENAMED = {
     "AnswerCase.echoes": "correlation",
     "AnswerCase.replies": "responses",
@@ -128,7 +128,7 @@ def _answer(facts: Facts) -> Facts:
 
 
 def _framing(facts: Facts) -> Facts:
-    """Formerly, there was one framing, of which the model had only the sizes of the parts."""
+    """Formerly, there was one framing, and the model only had the sizes of its parts."""
     facts = {"name": "v1", **facts}
     if "header" in facts:
         return facts
@@ -141,7 +141,7 @@ def _framing(facts: Facts) -> Facts:
 
 
 def _condition(facts: Facts) -> Facts:
-    """Formerly, a condition had the values that it accepts, but not their numbers."""
+    """Formerly, a condition had the accepted values, but not their numbers."""
     if "numbers" in facts:
         return facts
     return {**facts, "numbers": tuple(value.value for value in facts.get("values", ()))}

@@ -25,7 +25,7 @@ from sbgcgen.targets import targets
 
 
 class Version(NamedTuple):
-    """A version of three numbers, which compare in this order."""
+    """A version of three numbers, compared in this order."""
 
     major: int
     minor: int
@@ -49,7 +49,7 @@ class Step(enum.Enum):
     PROSE = "do not affect"
 
 
-# The number of the version that a step increases, before version 1.0.0 and from then on.
+# The number of the version that a step increments, before version 1.0.0 and afterwards.
 _INCREASES: dict[Step, tuple[Optional[str], Optional[str]]] = {
     Step.BREAK: ("minor", "major"),
     Step.ADDITION: ("patch", "minor"),
@@ -58,7 +58,7 @@ _INCREASES: dict[Step, tuple[Optional[str], Optional[str]]] = {
 
 
 def step_of(changes: Iterable[Change], same_fingerprint: bool) -> Step:
-    """The step that changes of the model make; those that keep its fingerprint change prose only."""
+    """The step that changes of the model require; if the fingerprint is unchanged, only prose differs."""
     if any(change.level is not Level.COMPATIBLE for change in changes):
         return Step.BREAK
     return Step.PROSE if same_fingerprint else Step.ADDITION
@@ -74,14 +74,14 @@ def lowest_version(released: Version, step: Step) -> Version:
     return Version(*numbers[:3])
 
 
-# In the form of dump.py, because the YAML of a release may be in an earlier language, and a source archive has
+# In the format of dump.py, because the YAML of a release may use an earlier language, and a source archive has
 # no revisions.
 NAME = "released.json.xz"
 
 
 @dataclass(frozen=True)
 class Release:
-    """A release: its version, and the model with the fingerprint that it had at that time."""
+    """A release: its version, and the model with its fingerprint at that time."""
 
     version: Version
     fingerprint: str

@@ -15,7 +15,7 @@ from typing import Optional
 from sbgcgen.model import Position
 
 
-# The folder of the generator; a revision that has it is read by its own generator.
+# The folder of the generator; if a revision has it, its own generator reads it.
 _GENERATOR = "generator"
 
 
@@ -25,7 +25,7 @@ class UnknownRevision(Exception):
 
 @dataclass(frozen=True)
 class Version:
-    """A spec folder, the prefix for names of its files, and its generator, if not this one."""
+    """A spec folder, the prefix for names of its files, and its own generator, if any."""
 
     folder: Path
     prefix: str
@@ -39,7 +39,7 @@ class Version:
 
 @contextlib.contextmanager
 def version(name: str, root: Path, spec_name: str) -> Iterator[Version]:
-    """The spec folder `name`, or else that of the git revision `name` of the project `root`.
+    """The spec folder `name`, or the spec of the git revision `name` of the project `root`.
 
     Extracts the spec of a revision, and its generator if it has one, to a temporary folder. A name
     of both a folder and a revision means the folder.

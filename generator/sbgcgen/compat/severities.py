@@ -1,8 +1,8 @@
-"""What is compared of each class of the model, and the severity of its changes.
+"""The comparison tables of the classes of the model, with the severity of each change.
 
-A row has the label of a fact in reports, its severity, and the attribute or function that gives it; by default, the
-attribute is the label. `rows` have the same severity: "may be absent: appended" is a label and an attribute.
-difference.py describes all kinds of rows. A function in a table compares what needs an algorithm.
+A row has the label of a fact in reports, its severity, and the attribute or function that returns it; by default,
+the label is the attribute. `rows` have the same severity: "may be absent: appended" is a label and an attribute.
+difference.py describes all kinds of rows. A function in a table performs a comparison that needs an algorithm.
 """
 
 from __future__ import annotations
@@ -24,12 +24,12 @@ from sbgcgen.model import Revision, Role, Struct, Variable
 
 
 def if_old(level: Level, otherwise: Level | None = COMPATIBLE) -> Severity:
-    """The severity `level` if the old version says something."""
+    """The severity `level` if the old version states something."""
     return lambda old, new: level if old else otherwise
 
 
 def if_new(level: Level, otherwise: Level = COMPATIBLE) -> Severity:
-    """The severity `level` if the new version says something."""
+    """The severity `level` if the new version states something."""
     return lambda old, new: level if new else otherwise
 
 
@@ -39,12 +39,12 @@ def if_smaller(level: Level, otherwise: Level = COMPATIBLE) -> Severity:
 
 
 def if_fewer(old: Any, new: Any) -> Level:
-    """Something is not in the list any more."""
+    """Something has been removed from the list."""
     return MEANING if set(old) - set(new) else COMPATIBLE
 
 
 def if_other(level: Level) -> Severity:
-    """The severity `level` if the fact on which it depends has changed, too."""
+    """The severity `level` if the fact that it depends on has changed, too."""
     return lambda old, new: level if old != new else None
 
 
@@ -60,11 +60,11 @@ def if_narrower(old: Any, new: Any) -> Level | None:
 SUMMARY = Row("summary", COMPATIBLE)
 DEPRECATED = Row("deprecated", COMPATIBLE, text=bool)
 SCALAR = Row("type", WIRE, "scalar.name")
-# Only a later version than before breaks the meaning.
+# Only a later version than before is a breaking change.
 SINCE = Row("since", lambda old, new: MEANING if new.is_after(old) else COMPATIBLE)
 NEEDS = Row("needs", if_new(MEANING))
 
-# The content of types, which is also compared if one takes the place of another in a field.
+# The content of types, which is also compared if one replaces another in a field.
 
 UNIT = rows(MEANING, "unit", "scale", "offset", "ratio", "over")
 VALUES: Table = (Each("values", ".", shown="value", number="value", is_alias=facts.is_alias),)
@@ -76,7 +76,7 @@ PARTS: Table = (
 )
 CONTENT = {Quantity: UNIT, Enum: VALUES, Packed: PARTS, Struct: (compare_structs,)}
 
-# What is compared of each class
+# The tables of the classes
 
 TABLES: dict[type, Table] = {
     Layout: (
@@ -181,9 +181,9 @@ TABLES: dict[type, Table] = {
         Row("is hidden in text and JSON", MEANING, "secret"),
         *rows(COMPATIBLE, "name in saved files: saved_as", "number in saved files: saved_in"),
         facts.compare_conditions,
-        # Values that were valid become invalid only if the board used the field less often.
+        # Values that were valid only become invalid if the board used the field less often before.
         Row("used when", if_old(MEANING), "used_when", text=when_text),
-        # A new default changes what a program sends that does not set the field.
+        # A new default changes the messages of programs that do not set the field.
         Row("default", MEANING),
         Row("constant", if_new(MEANING)),
         Row("unconfirmed", COMPATIBLE),

@@ -1,4 +1,4 @@
-"""The places and forms of fields on the wire, regardless of their meaning."""
+"""The positions and types of fields on the wire, regardless of their meaning."""
 
 from __future__ import annotations
 
@@ -29,19 +29,19 @@ def wire_form(field: Field) -> Any:
 
 
 def times(field: Field) -> str | int:
-    """The number of elements, or how it is known."""
+    """The number of elements, or the way to determine it."""
     return field.dim if field.dim in ("counted", "rest") else field.count
 
 
 def cut(part: Part | None) -> tuple[int, ...] | None:
-    """The place of a part in its integer."""
+    """The bits of a part in its integer."""
     if part is None:
         return None
     return (part.mask, part.shift, part.divide, part.modulo, part.signed, part.sign)
 
 
 def condition(when: Condition | None) -> Any:
-    """What a condition accepts, and of what part of its source."""
+    """The accepted values of a condition, and the part of its source that they refer to."""
     if when is None:
         return None
     flags = [sorted(f.value for f in some) for some in (when.flags, when.any_flags, when.no_flags)]
@@ -51,9 +51,9 @@ def condition(when: Condition | None) -> Any:
 
 
 def places(fields: Fields) -> list[Place]:
-    """The place of each field, and that of the end.
+    """The position of each field, and of the end.
 
-    A place is an offset in bytes, or several numbers of bytes with the variable parts between them.
+    A position is an offset in bytes, or several numbers of bytes separated by the variable parts.
     """
     found: list[Place] = [(0,)]
     for field in fields:
@@ -66,7 +66,7 @@ def places(fields: Fields) -> list[Place]:
 
 
 def case_places(fields: Fields) -> list[Place]:
-    """The place of each field of a tagged union: what can be before it."""
+    """The position of each field of a tagged union: what can precede it."""
     return [
         tuple(wire_form(before) for before in fields[:index] if not _exclude(before, field))
         for index, field in enumerate(fields)
@@ -74,7 +74,7 @@ def case_places(fields: Fields) -> list[Place]:
 
 
 def _exclude(one: Field, other: Field) -> bool:
-    """True if no body has both fields, because of different values of one field."""
+    """True if no body has both fields, because their conditions require different values."""
     a, b = one.when, other.when
     if a is None or b is None or not (a.is_on_values and b.is_on_values):
         return False

@@ -1,4 +1,4 @@
-"""Facts about fields and their types in the words of the report."""
+"""Descriptions of fields and their types for the report."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def range_text(limits: Sequence[Any] | None) -> str:
 
 
 def direction_text(field: Field) -> str:
-    """How the direction of a field is determined."""
+    """The source of the sign convention of a field."""
     if field.directions is None:
         return ""
     return field.axis or ("as its axis" if field.directions else "unknown")

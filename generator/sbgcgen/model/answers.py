@@ -14,7 +14,7 @@ from sbgcgen.model.values import EnumValue
 class CorrelationField:
     """An integer field of the request that the response repeats, `offset` bytes from its start.
 
-    A special value of the request's `field` is not repeated. Of a list, it is the first element.
+    A special value of the request's `field` is not repeated. For a list, it is the first element.
     """
 
     field: Field
@@ -26,7 +26,7 @@ class CorrelationField:
 class OptionalPart:
     """`size` more bytes of a body if `when` holds for the value at `path` of the request.
 
-    If that value may be missing (`optional`) and is, the condition does not hold.
+    If that value is optional (`optional`) and missing, the condition is false.
     """
 
     path: str
@@ -39,7 +39,7 @@ class OptionalPart:
 class Response:
     """One message of the board that answers a request or belongs to a stream that it starts.
 
-    `config` are the fields of the request that make up the configuration of the stream whose samples
+    `config` are the fields of the request that form the configuration of the stream whose samples
     have the same content; None if there is no such stream.
     """
 
@@ -94,7 +94,7 @@ class AnswerCase:
 
 @dataclass(frozen=True)
 class Answer:
-    """The response policy of a request: the first case that holds. The last case always holds."""
+    """The response policy of a request: the first matching case. The last case always matches."""
 
     cases: tuple[AnswerCase, ...]
 
@@ -111,7 +111,7 @@ class Answer:
 
     @property
     def confirm(self) -> str:
-        """The value of all cases; if they differ, "unlikely" (with "never") or "possible"."""
+        """The common value of all cases; if they differ, "unlikely" (with "never") or "possible"."""
         said = {case.confirm for case in self.cases}
         if said == {"never", "unlikely"}:
             return "unlikely"

@@ -20,7 +20,7 @@ from sbgcgen.model.values import EnumValue, Packed, Part, Quantity, Scalar
 class Blob:
     """Bytes, NUL-padded UTF-8 text (kind "text"), or a length-prefixed string (kind "string").
 
-    `size` is None for bytes that take the rest of the body, and the largest size of a string.
+    `size` is None for bytes that fill the rest of the body, and the largest size of a string.
     """
 
     kind: str
@@ -29,7 +29,7 @@ class Blob:
 
 @dataclass(frozen=True)
 class FieldRule:
-    """A rule that the field `low` is not above the field `high`, or if `is_strict` below it."""
+    """A rule that the field `low` does not exceed the field `high`; if `is_strict`, is below it."""
 
     low: str
     high: str
@@ -45,10 +45,9 @@ class FieldRule:
 class Struct:
     """A reusable group of fields; `size` is None if it varies.
 
-    A tagged union (`is_region`) has a fixed size, whichever of its conditional fields are present;
-    its last field keeps the bytes that they do not use. Its conditions refer to fields of the
-    enclosing message. `element_sizes` are those that the elements of a list have had in any firmware, if
-    it grew: all elements of a body have the same one.
+    A tagged union (`is_region`) has a fixed size, whichever of its conditional fields are present; its last field holds
+    the bytes that they do not use. Its conditions refer to fields of the enclosing message. `element_sizes` are the
+    sizes that the elements of a list have had in any firmware, if it grew: all elements of a body have the same size.
     """
 
     name: str
@@ -89,7 +88,7 @@ class Struct:
 
 @dataclass(frozen=True)
 class Announced:
-    """A number whose type an earlier message announces, by way of `context`."""
+    """A number whose type an earlier message announces, through `context`."""
 
     context: str
     kind: str = "announced"
@@ -147,7 +146,7 @@ def constants(fields: tuple[Field, ...]) -> tuple[Constant, ...]:
 class Alternative:
     """Another unit of the same bytes, selected by a flag of an earlier field.
 
-    `source` is the field of the message, or if `in_group` that of the same group.
+    `source` is a field of the message, or if `in_group`, of the same group.
     """
 
     quantity: Quantity
@@ -159,7 +158,7 @@ class Alternative:
 
 @dataclass(frozen=True)
 class Later:
-    """The whole meaning of a field from a firmware on, with what has not changed."""
+    """The complete meaning of a field since some firmware, including its unchanged parts."""
 
     since: Availability
     type: Type
@@ -240,7 +239,7 @@ class Field:
     at: Position = field(default=NOWHERE, compare=False, repr=False)
 
     def direction(self, element: str) -> AxisDirection | None:
-        """Which way the value of this element of an index counts; None if it is not known."""
+        """The positive direction of this element of an index; None if it is unknown."""
         axis = self.axis or element
         return next((d for d in self.directions or () if d.axis == axis), None)
 
@@ -256,7 +255,7 @@ class Field:
 
     @property
     def fits_rest(self) -> bool:
-        """True for a text that is present if it is all that is left of the body."""
+        """True for a text that is present if it fills the rest of the body."""
         return self.fits and self.size is None
 
     @staticmethod
@@ -274,16 +273,16 @@ class Field:
 
     @cached_property
     def has_hidden_counter(self) -> bool:
-        """True if the size of the list implies its counter, which is no member then."""
+        """True if the size of the list implies its counter, which is then not a member."""
         return bool(self.counter) and self.counting != "bits" and self.counter_part is None
 
     @cached_property
     def has_grown_elements(self) -> bool:
-        """True for a list whose elements have another size in older firmware."""
+        """True for a list whose elements have a different size in older firmware."""
         return isinstance(self.type, Struct) and bool(self.type.element_sizes)
 
     def counted(self, counter: int) -> int:
-        """The number that the value of a visible counter stands for."""
+        """The number of elements or bytes that the value of a visible counter means."""
         if self.counting == "bits":
             return bin(counter).count("1")
         count = part_of(self.counter_part, counter) if self.counter_part else counter
@@ -305,7 +304,7 @@ class Field:
 
 
 def all_fields(fields: tuple[Field, ...]) -> Iterator[Field]:
-    """The fields, each with those of its struct after it."""
+    """The fields, each followed by those of its struct."""
     for field in fields:
         yield field
         if isinstance(field.type, Struct):
@@ -325,10 +324,10 @@ def field_rules(struct: Struct, path: str = "") -> Iterator[tuple[str, FieldRule
 class Leaf:
     """One value or run of bytes of a body, with its full path.
 
-    `cases` are the leaves that a tagged union may hold, depending on other fields. A body may end
-    before an `optional` leaf. `when` and `used_when` are the conditions of the field or of a group that it
-    is in. If the field counts in a direction, it is `direction`, or None if that is not known. In a list of
-    structs, `count` is None and `each` is the count in one element.
+    `cases` are the leaves that a tagged union may hold, depending on other fields. A body may end before an `optional`
+    leaf. `when` and `used_when` are the conditions of the field or of an enclosing group. If the field has a sign
+    convention, it is `direction`, or None if unknown. In a list of structs, `count` is None and `each` is the count in
+    one element.
     """
 
     path: str

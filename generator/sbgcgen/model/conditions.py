@@ -18,12 +18,12 @@ from sbgcgen.model.values import Enum, EnumValue, Part
 class Condition:
     """A condition on one number: a context, an earlier field or its element, or a `part` of these.
 
-    For flags: all of `flags`, at least one of `any_flags`, and none of `no_flags` are set. For other
-    numbers: the value is one of `numbers`, or if `negated` none of them (`values` are their names), and
-    within `at_least` and `at_most`. `is_wrapped`: C++ has the number in a class, of which the raw value counts.
-    If the earlier field is missing (see `source_may_be_missing`), the condition does not hold.
+    For flags: all of `flags`, at least one of `any_flags`, and none of `no_flags` are set. For other numbers:
+    the value is one of `numbers`, or if `negated` none of them (`values` are their names), and between
+    `at_least` and `at_most`. `is_wrapped`: C++ has the number in a class, whose raw value counts. If the
+    earlier field is missing (see `source_may_be_missing`), the condition is false.
 
-    With `terms`, it is about several numbers: "all" of the terms hold, or "one_of" them, as `joined` says.
+    With `terms`, it is about several numbers: "all" of the terms hold, or "one_of" them, according to `joined`.
     In a group of fields, the source may be a field of the message (`is_outside`), and the condition may differ
     between the `elements` of an index; `pattern` has the words for all of them.
     """
@@ -57,7 +57,7 @@ class Condition:
 
     @cached_property
     def tests(self) -> tuple[Condition, ...]:
-        """The conditions on one number each of which it consists."""
+        """The conditions on single numbers of which it consists."""
         return tuple(test for term in self.terms for test in term.tests) or (self,)
 
     @cached_property
@@ -66,7 +66,7 @@ class Condition:
 
     @property
     def is_on_values(self) -> bool:
-        """True if it names the values of one number for which it holds."""
+        """True if it lists the values of one number for which it holds."""
         return bool(self.numbers) and not self.negated
 
     @cached_property
@@ -135,7 +135,7 @@ class Condition:
         context: Mapping[str, Any] | None = None,
         outside: Mapping[str, Any] | None = None,
     ) -> bool:
-        """True if the condition holds for these fields, facts from earlier messages, and fields outside."""
+        """True if the condition holds for these fields, facts from earlier messages, and outer fields."""
         if self.terms:
             return (all if self.joined == "all" else any)(
                 term.holds_in(fields, context, outside) for term in self.terms
@@ -159,9 +159,9 @@ def value_at(fields: Mapping[str, Any], path: str) -> Any:
 
 
 def satisfying(when: Condition) -> list[dict[str, int]]:
-    """Values of the sources with which a condition holds, without other bits.
+    """Values of the sources for which a condition holds, without other bits.
 
-    Of several fields, those of each alternative; of a negated condition, the smallest.
+    With several fields, those of each alternative; for a negated condition, the smallest.
     """
     if not when.terms:
         return [{when.source: value} for value in _candidates(when)]
@@ -206,5 +206,5 @@ def _whole(when: Condition, number: int) -> int:
 
 
 def _is_met(when: Condition, number: int) -> bool:
-    """True if the condition holds for the number, and its part can be that."""
+    """True if the condition holds for the number, and its part can have that value."""
     return when.accepts(number) and when.holds(_whole(when, number))

@@ -12,17 +12,17 @@ from sbgcgen.model.conditions import Condition
 
 @dataclass(frozen=True)
 class EffectKind:
-    """The possible effects of a request. It may set something or somebody in `motion`, or lose `data` or the `line`."""
+    """A possible effect of a request. It may cause `motion`, or the loss of `data` or of the `line`."""
 
     word: str
     summary: str
     risk: str = ""
 
 
-# The effects of every protocol: nothing, and what nobody knows.
+# The effects of every protocol: none, and unknown.
 READS = EffectKind("reads", "Reads: changes nothing.")
 UNKNOWN = EffectKind("unknown", "Unknown: the specification does not describe the command.")
-# A protocol that names no others has these, the most harmless first.
+# The effects of a protocol that does not define others, the most harmless first.
 USUAL_EFFECTS: tuple[EffectKind, ...] = (
     READS,
     EffectKind("sets", "Sets temporarily: a restart of the board discards the change."),
@@ -53,7 +53,7 @@ class EffectCase:
 
 @dataclass(frozen=True)
 class Effect:
-    """The effect of a request: the first case that holds. The last case always holds."""
+    """The effect of a request: the first matching case. The last case always matches."""
 
     cases: tuple[EffectCase, ...]
     known: tuple[EffectKind, ...] = USUAL_EFFECTS
@@ -72,7 +72,7 @@ class Effect:
         return any(kind.risk == "motion" and kind.word in self.words for kind in self.known)
 
     def having(self, words: Sequence[str]) -> tuple[bool, tuple[Condition, ...]]:
-        """Whether a request has one of these effects, and the conditions for the opposite.
+        """Return whether a request has one of these effects, and the conditions for the opposite.
 
         The conditions of cases do not overlap, see SBGC062.
         """

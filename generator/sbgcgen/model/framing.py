@@ -16,7 +16,7 @@ START, ID, SIZE, BODY = "start", "id", "size", "body"
 
 @dataclass(frozen=True)
 class Crc:
-    """The parameters of a cyclic redundancy check of `width` bits, as catalogues list them.
+    """The parameters of a cyclic redundancy check of `width` bits, as listed in catalogues.
 
     `reflect_in`: each byte enters with its least significant bit first. `reflect_out`: the bits of
     the result are reversed, before `final_xor`. `check` is the value of the text "123456789"; None
@@ -45,7 +45,7 @@ class Crc:
 
     @cached_property
     def _entering(self) -> list[int]:
-        """Each byte with its bits in the order in which they enter."""
+        """Each byte with its bits in input order."""
         return [_reversed(byte, 8) if self.reflect_in else byte for byte in range(256)]
 
     @cached_property
@@ -80,7 +80,7 @@ class Checksum:
         return CHECKSUM_SIZES[self.kind]
 
     def value(self, data: bytes) -> int:
-        """The checksum of the bytes that it covers."""
+        """Compute the checksum of the bytes that it covers."""
         if self.crc:
             return self.crc.value(data)
         if self.kind == "xor8":

@@ -23,13 +23,13 @@ COMMAND_IDS = {"to_board": "CommandToBoard", "from_board": "CommandFromBoard"}
 class Message:
     """One body layout of one command in one direction.
 
-    `keeps_tail`: decoding keeps bytes after the described ones. `is_open`: a body of any size from
+    `keeps_tail`: decoding keeps undocumented trailing bytes. `is_open`: a body of any size from
     `min_size` up is this message; of several forms, only the longest can be open. `takes_surplus`: the
-    board ignores bytes after this longest form of a request. `example` has the
-    values by path in which the worked example is not typical; a message with the body of another
-    inherits that message's. `preparation` is what to do before the request is sent. A request stops all
-    motion if it has the values of one of the patterns in `stops`. `needs` is the feature of boards that
-    have the message.
+    board ignores bytes after this longest form of a request. `example` has the values by path in which
+    the worked example is not typical; a message with the same body as another inherits that message's.
+    `preparation` is the preparation before the request is sent. A request stops all motion if it has
+    the values of one of the patterns in `stops`. `needs` is the board feature that the message
+    requires.
     """
 
     name: str
@@ -139,7 +139,7 @@ class Message:
         )
 
     def was_reserved(self, field: Field) -> bool:
-        """True if earlier firmware has reserved bytes in the place of the field."""
+        """True if earlier firmware has reserved bytes at the position of the field."""
         is_later = field.since.is_after(self.since)
         return is_later and not field.may_be_absent and field.dim != "rest"
 
@@ -183,7 +183,7 @@ class Family:
 
     @cached_property
     def named(self) -> dict[str, list[Message]]:
-        """The messages by name: a message in both directions is two of one name."""
+        """The messages by name: a message in both directions is two entries of one name."""
         found: dict[str, list[Message]] = {}
         for message in self.messages:
             found.setdefault(message.name, []).append(message)
@@ -191,7 +191,7 @@ class Family:
 
     @cached_property
     def definitions(self) -> tuple[Message, ...]:
-        """Messages that define a type; one in both directions defines it once.
+        """Messages that define a type; a message in both directions defines it once.
 
         Messages with the body of another come last, after the message that defines the body.
         """
@@ -234,10 +234,10 @@ class LargestForm:
 
 
 def largest_forms(forms: Iterable[Message]) -> tuple[LargestForm, ...]:
-    """The forms of a request by size, the largest first: the first that a board has counts."""
+    """The forms of a request by size, the largest first: the first form that a board has counts."""
     result = []
     for form in sorted(forms, key=lambda m: m.max_size, reverse=True):
-        # Before a list was added, the form ended in front of it.
+        # Before a list was added, the form ended before it.
         added = [f for f in form.fields if f.dim == "rest" and f.since.is_after(form.since)]
         for field in added:
             result.append(LargestForm(form, field.since, None))

@@ -43,7 +43,7 @@ _FOREIGN = re.compile(r"(?P<sign>u?)int(?P<bits>8|16|32)(_t)?\Z|(?P<size>[124])(
 
 
 def type_advice(text: str) -> str:
-    """Advice for a type in the notation of C or of the specification; "" if there is none."""
+    """Advice for a type in C notation or in that of the specification; "" if there is none."""
     array = re.match(r"(\w+)\[(.*)\]\Z", text)
     if array and array[1] not in ("bytes", "text"):
         return f"the count belongs to the name: 'NAME[{array[2]}]' with type: {array[1]}"

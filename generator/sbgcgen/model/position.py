@@ -9,8 +9,8 @@ from dataclasses import dataclass
 class Position:
     """A place in a spec file; line and column count from 1.
 
-    Nothing changes it. It is not `frozen`, because it takes twice as long to make one then, and every
-    node of the spec has one.
+    It is immutable by convention. It is not `frozen`, because that would double the construction
+    time, and every node of the spec has one.
     """
 
     file: str

@@ -79,9 +79,9 @@ class Line:
 
 @dataclass(frozen=True)
 class AskedForms:
-    """Forms of a command of the board that have the same size: the request decides which one a body is.
+    """Forms of a command from the board that have the same size: the request decides between them.
 
-    Without a request, it is the first. `requests` are those that ask for one of the forms, with that form.
+    Without a request, it is the first. `requests` are the requests for each of the forms.
     """
 
     identifier: str
@@ -95,8 +95,8 @@ class AskedForms:
 
 @dataclass(frozen=True)
 class Topic:
-    """A topic of parameters; `fields` are their names, `words` other names of the topic. The board may no
-    longer answer after a change if it `changes_line`."""
+    """A topic of parameters; `fields` are their names, `words` other names of the topic. If it `changes_line`, the
+    board may no longer answer after a change."""
 
     name: str
     summary: str
@@ -147,7 +147,7 @@ class Layout:
 
     @property
     def short_name(self) -> str:
-        """The name of the protocol in names of files: that of the main file."""
+        """The name of the protocol for file names: that of the main file."""
         return self.main_file.removesuffix(".yaml")
 
     @property
@@ -162,7 +162,7 @@ class Layout:
 
     @cached_property
     def features(self) -> tuple[Feature, ...]:
-        """The features that boards may have: the flags of all sets, whose bits follow each other."""
+        """The features that boards may have: the flags of all sets, with consecutive bits."""
         found, shift = [], 0
         for flags in self.feature_sets:
             found += [Feature(v.name, v.value << shift) for v in flags.values]
@@ -170,7 +170,7 @@ class Layout:
         return tuple(found)
 
     def topics_of(self, field_: Field) -> list[Topic]:
-        """The topics of a field: its own first, then others to which it is related."""
+        """The topics of a field: its own first, then related ones."""
         known = [] if field_.reserved else self.topics
         return [topic for topic in known if field_.spec_name in topic.fields]
 
@@ -179,7 +179,7 @@ class Layout:
         return next((feature.mask for feature in self.features if feature.name == name), 0)
 
     def reports(self, message: Message) -> list[tuple[Field, int, int]]:
-        """The fields of a message that report features, with their shift and the bits with a name."""
+        """The fields of a message that report features, with their shift and the named bits."""
         found, shift = [], 0
         for flags in self.feature_sets:
             named = sum(value.value for value in flags.values)

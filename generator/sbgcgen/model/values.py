@@ -20,7 +20,7 @@ class Identifier:
 
 @dataclass(frozen=True)
 class Alias(Identifier):
-    """A former name in code, and in the protocol."""
+    """A former name, in code and in the protocol."""
 
     spec_name: str = ""
 
@@ -108,7 +108,7 @@ class Availability:
 
 @dataclass(frozen=True)
 class Feature:
-    """Something that only some boards have: a flag of what they report. `mask` is its bit among all."""
+    """Something that only some boards have: a flag in their report. `mask` is its bit among all."""
 
     name: str
     mask: int
@@ -125,7 +125,7 @@ class Until:
 
 @dataclass(frozen=True)
 class Deprecation:
-    """A deprecation: since which versions, and the replacement."""
+    """A deprecation: the versions since which it applies, and the replacement."""
 
     since: Availability
     replaced_by: str
@@ -133,7 +133,7 @@ class Deprecation:
 
 @dataclass(frozen=True)
 class AxisDirection:
-    """Which way values about an axis count; None if it is not known."""
+    """The directions of an axis; None if they are unknown."""
 
     axis: str
     positive: str | None
@@ -146,8 +146,8 @@ class AxisDirection:
 class Quantity:
     """A physical quantity: physical value = raw * scale + offset, in `unit`.
 
-    With a `ratio`, it is exponential: scale * ratio^(raw / over) + offset. Its values count in a
-    direction if it `is_directed`.
+    With a `ratio`, it is exponential: scale * ratio^(raw / over) + offset. If it `is_directed`, its values
+    have a sign convention.
     """
 
     name: str
@@ -177,7 +177,7 @@ class Quantity:
 
     @property
     def formula(self) -> str:
-        """How an exponential quantity follows from the raw value."""
+        """The formula of an exponential quantity."""
         offset = f" {'-' if self.offset < 0 else '+'} {abs(self.offset)}" if self.offset else ""
         return f"{self.scale_text} * {self.ratio}^(raw / {self.over}){offset}"
 
@@ -189,7 +189,7 @@ class Quantity:
         return Fraction(f"{power * float(self.scale):.12g}") + self.offset
 
     def raw(self, real: Fraction) -> Fraction:
-        """The raw value of a physical one; far below all if none leads near it."""
+        """The raw value nearest to a physical one; far below the range if there is none."""
         steps = (real - self.offset) / self.scale
         if not self.ratio:
             return steps
@@ -198,7 +198,7 @@ class Quantity:
 
 @dataclass(frozen=True)
 class Former:
-    """An earlier meaning, until a firmware."""
+    """A meaning that ended with a firmware version."""
 
     firmware: Availability
     summary: str
@@ -233,7 +233,7 @@ class EnumValue:
 
 @dataclass(frozen=True)
 class Enum:
-    """An enum, or (kind "flags") a set of bits whose values are masks.
+    """An enum, or (kind "flags") a set of bits with masks as values.
 
     `success` is the value of a result code that means success. `are_errors`: programs quote the
     summaries of the values.
@@ -294,7 +294,7 @@ class Part:
 
     @property
     def is_number(self) -> bool:
-        """True for a number that is more than unsigned bits: with a sign or a unit."""
+        """True for a number that is not just unsigned bits: with a sign or a unit."""
         return self.signed or bool(self.sign) or self.quantity is not None
 
     @property

@@ -88,12 +88,12 @@ class Variable:
 
     @property
     def is_directed(self) -> bool:
-        """True if its values count in a direction."""
+        """True if its values have a sign convention."""
         return self.quantity is not None and self.quantity.is_directed
 
     @property
     def direction(self) -> AxisDirection | None:
-        """The direction in which its values count, as those of its settings; None if unknown."""
+        """The direction of its values, the same as that of its settings; None if unknown."""
         return self.settings[0].direction if self.settings else None
 
     @property

@@ -1,6 +1,6 @@
 """A second codec that interprets the Layout model: slow, small, and obviously correct.
 
-It shares no source or template with the generated code, so an agreement of both confirms the model.
+It shares no source or template with the generated code, so agreement of the two confirms the model.
 decoding.py and encoding.py are its two halves and frames.py adds the framing; this module has their
 common parts. The test vectors come from this codec (vectors.py). Bodies are `bytes`. Messages are
 the `fields` of `sbgc decode --format jsonl`: objects for structs and axes, lists for arrays,

@@ -24,7 +24,7 @@ def all_types(context: Context) -> list[str]:
 
 @dataclass
 class Places:
-    """The places of a message that hold a value, numbered on first use, with their edge values."""
+    """The value positions of a message, numbered on first use, with their edge values."""
 
     numbers: dict[str, int] = field(default_factory=dict)
     known: dict[str, tuple[int, list[Edge], frozenset[int]]] = field(default_factory=dict)
@@ -33,7 +33,7 @@ class Places:
         return self.numbers.setdefault(path, len(self.numbers))
 
     def at(self, path: str, member: Field, type_: Type) -> tuple[int, list[Edge], frozenset[int]]:
-        """The number of a place, its edge values, and the numbers that have a name there."""
+        """The number of a position, its edge values, and the numbers with a name there."""
         found = self.known.get(path)
         if found is None:
             found = (self.number(path), edges(member, type_), named_numbers(type_))
@@ -45,11 +45,11 @@ class Places:
 class Choice:
     """The choice of values for a message.
 
-    Each round uses another edge value at every place, shifted by the place's number so that
-    neighbors differ. With `named`, places with named values have this number, which may have a name
-    in some of them: so a further name adds a round at most, and changes none. `forced` has values of fields by path, `lengths` those of lists and texts.
-    Other lists are long enough for all edge values, or minimal if `short`. The body ends before the
-    field `ends_before`. With `fits`, it has the field that may fit. If `typical`, all values are ordinary, except those in `example` by path.
+    Each round uses another edge value at every place, shifted by the place's number so that neighbors differ. With
+    `named`, places with named values have this number, which may have a name in some of them: so a new name adds at
+    most one round and changes none. `forced` has values of fields by path, `lengths` those of lists and texts. Other
+    lists are long enough for all edge values, or minimal if `short`. The body ends before the field `ends_before`. With
+    `fits`, it has the optional field. If `typical`, all values except those in `example` are ordinary.
     """
 
     places: Places
@@ -144,7 +144,7 @@ def counter_size(beside: tuple[Field, ...], member: Field) -> int:
 
 
 def documented_length(beside: tuple[Field, ...], member: Field) -> int:
-    """The most elements that the specification describes for a list."""
+    """The maximum number of elements that the specification describes for a list."""
     most = member.capacity if member.max_count is None else member.max_count
     for counter in beside:
         if counter.name == member.counter and counter.maximum is not None:
@@ -218,7 +218,7 @@ class _Composer:
         return [self._element(member, f"{name}[]", i) for i in range(count)]
 
     def _in_group(self, member: Field, name: str, values: Fields, suffix: str, word: str) -> Any:
-        """An element of a group whose content depends on the fields around it."""
+        """An element of a group whose content depends on the surrounding fields."""
         outside, self.word = self.word, word
         value = self._value(member, name + suffix, values)
         self.word = outside

@@ -15,7 +15,7 @@ FITS = ""  # in the context: whether the field that may fit is there
 
 
 class _Reader:
-    """A position in a body; reads name the field for errors."""
+    """A position in a body; read operations name the field for errors."""
 
     def __init__(self, body: bytes, at: int = 0) -> None:
         self.body = body
@@ -36,8 +36,8 @@ def decode(message: Message, body: bytes, context: Fields | None = None) -> Fiel
     """Decode a body.
 
     `context` has the facts from earlier messages: raw values, and lists of type names. The surplus of
-    a request becomes its tail. If the body may repeat its context, the first of both that fits the
-    body exactly counts; otherwise the context that is asked to be repeated.
+    a request becomes its tail. If the body may repeat its context, the first of the two that fits the
+    body exactly is used; otherwise the context that is required to be repeated.
     """
     context = context or {}
     if any(field.fits and not field.fits_rest for field in message.fields):
@@ -62,7 +62,7 @@ def decode(message: Message, body: bytes, context: Fields | None = None) -> Fiel
 
 
 def _decode_fitting(message: Message, body: bytes, context: Fields) -> Fields:
-    """Decode a body without the field that may fit, or with it if only that fits exactly."""
+    """Decode a body without its optional last field, or with it if only that fits exactly."""
     for fits in (False, True):
         try:
             values = _decode(message, body, {**context, FITS: fits})
@@ -74,7 +74,7 @@ def _decode_fitting(message: Message, body: bytes, context: Fields) -> Fields:
 
 
 def _decode(message: Message, body: bytes, context: Fields) -> Fields:
-    """Decode a body with a context that is certain."""
+    """Decode a body with a known context."""
     fixed = message.body.fixed_part
     size = message.body.fixed_size
     has_surplus = message.takes_surplus and len(body) > message.max_size
@@ -156,7 +156,7 @@ def _read_field(field: Field, reader: _Reader, values: Fields, context: Fields) 
 
 
 def _read_one(field: Field, reader: _Reader, values: Fields, suffix: str, word: str) -> Any:
-    """One element; the content of a group may depend on the fields around it and on the element."""
+    """One element; the content of a group may depend on surrounding fields and on the element."""
     if not isinstance(field.type, Struct) or not field.type.looks_outside:
         return _read_value(field.type, reader, field.name)
     inner: Fields = {}
@@ -185,7 +185,7 @@ def _element_sizes(field: Field) -> tuple[int, ...]:
 
 
 def _read_grown(field: Field, count: int, reader: _Reader) -> list[Any]:
-    """Elements that share the rest of the body, and have the size of some firmware."""
+    """Elements that fill the rest of the body, and have the size of some firmware."""
     assert isinstance(field.type, Struct)
     size = reader.left() // count if count else 0
     if count and (size * count != reader.left() or size not in _element_sizes(field)):

@@ -32,7 +32,7 @@ _TEXTS = (b"", b"A", "\u00e9\u20ac\U0001f4f7".encode(), b"a\xff\xc3", b"a\0b", "
 
 
 def edges(field: Field, type_: Type) -> list[Edge]:
-    """The distinct values, without those with names, that a field must have in a vector each."""
+    """The distinct unnamed values, each of which must occur in a vector for the field."""
     if isinstance(type_, Blob):
         return _blob_edges(type_)
     scalar = scalar_of(type_)
@@ -83,7 +83,7 @@ def _part_edges(part: Part) -> list[Edge]:
 
 
 def named_numbers(type_: Type) -> frozenset[int]:
-    """The numbers that have a name in an enum, or in the enum of a part of a packed value.
+    """The numbers with a name in an enum, or in the enum of a part of a packed value.
 
     -1 is the value 0 of a whole packed integer, -2 the value 1, and so on.
     """
@@ -96,9 +96,9 @@ def named_numbers(type_: Type) -> frozenset[int]:
 
 
 def with_number(type_: Type, number: int) -> int:
-    """The value of an enum with a number, or of a packed value with it in all parts with names.
+    """The enum value with a number, or the packed value with it in all parts that have names.
 
-    The number may have no name, or be too large.
+    The number may be unnamed, or too large.
     """
     scalar = scalar_of(type_)
     if isinstance(type_, Packed) and type_.names and number < 0:
@@ -127,5 +127,5 @@ def _blob_edges(type_: Blob) -> list[Edge]:
 
 
 def counting(size: int) -> bytes:
-    """Bytes that all differ, so that a misplaced byte shows."""
+    """Bytes that are all different, so that a misplaced byte is noticed."""
     return bytes((7 * i + 3) % 256 for i in range(size))

@@ -31,8 +31,8 @@ class _Writer:
     def end(self) -> None:
         """Check that nothing can be mistaken for a missing value.
 
-        The bytes after it must be too few to be decoded as that value; after an appended one, there must
-        be none.
+        The following bytes must be too few to be decoded as that value; after an appended one, there
+        must be none.
         """
         for end, at, name in sorted(self.missing, key=lambda entry: entry[0])[:1]:
             if self.at >= end:
@@ -129,7 +129,7 @@ def _write_counter(
 
 
 def counter_of(counted: Field, value: Any) -> int:
-    """The value of the hidden counter of a list; -1 if it can have none."""
+    """The value of the hidden counter of a list; -1 if there is none."""
     count = len(value) // 2 if isinstance(value, str) else len(value)
     if counted.counting == "bytes":
         return count * (1 if is_bytes(counted) else size_of(counted.type) or 1)
@@ -196,7 +196,7 @@ def _write_grown(field: Field, elements: list[Any], writer: _Writer, name: str) 
 
 
 def _write_all(field: Field, elements: list[Any], writer: _Writer, name: str) -> None:
-    """Write elements; of a member of fixed size, all elements fit or none."""
+    """Write elements; for a member of fixed size, either all elements fit or none."""
     inner = writer if field.size is None else _Writer(field.size, writer.at)
     for element in elements:
         _write_value(field.type, element, inner, name)

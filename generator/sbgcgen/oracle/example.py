@@ -19,13 +19,13 @@ from sbgcgen.oracle.vector_line import line
 from sbgcgen.oracle.vectors import typical_vector
 
 
-# How many values of a long message code looks at.
+# The maximum number of values of a long message that code prints.
 _SHOWN = 8
 
 
 @dataclass(frozen=True)
 class Piece:
-    """One value of a body: its place, type, bytes and meaning.
+    """One value of a body: its position, type, bytes and meaning.
 
     `path` has all indices; `leaf` is the path of its Leaf in the model. `missing` are the paths of
     the value and its enclosing members, as far as they may be missing. `data` are its bytes.
@@ -61,7 +61,7 @@ class Piece:
 
 @dataclass(frozen=True)
 class Earlier:
-    """A frame that comes before one, and the direction of its message."""
+    """A preceding frame, and the direction of its message."""
 
     direction: str
     frame: bytes
@@ -84,7 +84,7 @@ class Example:
     read: Example | None = None
 
     def changed_bytes(self, piece: Piece) -> dict[int, int]:
-        """The bytes of a run that differ from those in `read`, if that has equally many, by index."""
+        """The bytes of a run that differ from those in `read`, if it has as many, by index."""
         before = (
             next(p.data for p in self.read.pieces if p.path == piece.path) if self.read else b""
         )
@@ -106,7 +106,7 @@ class Example:
 
     @property
     def shown(self) -> list[Piece]:
-        """One value of each field, as far as code that looks at them has room."""
+        """One value of each field, up to the limit for code."""
         seen: set[int] = set()
         found = []
         for piece in self.pieces:
@@ -169,7 +169,7 @@ def _read_before(message: Message, layout: Layout) -> Example | None:
 
 @dataclass(frozen=True)
 class _Place:
-    """The place of a value: its path in the message, and that of its leaf in the model."""
+    """The position of a value: its path in the message, and that of its leaf in the model."""
 
     path: str = ""
     leaf: str = ""
@@ -327,9 +327,9 @@ def physical(raw: int | float, quantity: Quantity) -> str:
 
 
 def _side(raw: int | float, quantity: Quantity, field: Field, path: str) -> str:
-    """Which way an angle is: " down"; "" if nothing says so.
+    """The direction of an angle: " down"; "" if it is unknown.
 
-    A speed may be that of a motion to an angle, which determines the direction.
+    A speed may belong to a motion to an angle, which determines the direction.
     """
     if not raw or "/" in (quantity.unit or ""):
         return ""

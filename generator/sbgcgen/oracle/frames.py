@@ -14,7 +14,7 @@ Forms = Mapping[tuple[str, int], Sequence[Message]]
 def choose_message(forms: Forms, direction: str, id: int, size: int) -> Message:
     """The message of a body with `size` bytes.
 
-    If a command has several forms, the one that allows the size. A request may have surplus.
+    Of several forms of a command, the one that allows the size. A request may have surplus.
     """
     candidates = forms.get((direction, id), ())
     if not candidates:
@@ -55,9 +55,9 @@ class FoundFrame:
 
 
 def read_frames(framings: Sequence[Framing], stream: bytes) -> Iterator[FoundFrame]:
-    """The frames in a stream whose start byte is that of one of the framings.
+    """The frames in a stream that begin with the start byte of one of the framings.
 
-    The start byte of a candidate says which framing it must follow. If it does not, the search
+    The start byte of a candidate selects its framing. If the candidate is invalid, the search
     continues with the next byte.
     """
     at = 0

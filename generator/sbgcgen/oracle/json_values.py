@@ -36,7 +36,7 @@ _FORMATS = {4: "<f", 8: "<d"}
 
 
 def float_from_bits(bits: int, size: int = 4) -> float | str:
-    """A number of `size` bytes, or "inf", "-inf" or "nan:<bits>", which JSON has no numbers for."""
+    """A number of `size` bytes, or "inf", "-inf" or "nan:<bits>", for which JSON has no numbers."""
     value = float(struct.unpack(_FORMATS[size], bits.to_bytes(size, "little"))[0])
     if math.isfinite(value):
         return value
@@ -58,7 +58,7 @@ def float_to_bits(value: Any, size: int = 4) -> int:
 
 
 class Wide(int):
-    """An integer of 64 bits, which is text in JSON, because many readers of JSON round it."""
+    """A 64-bit integer, which is text in JSON, because many JSON readers round it."""
 
 
 def integer_of(value: int, size: int) -> int:

@@ -1,4 +1,4 @@
-"""Tells whether a message in C++ has room for values."""
+"""Checks whether values fit into a C++ message."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from sbgcgen.oracle.json_values import text_to_bytes
 
 
 def has_room(fields: tuple[Field, ...], values: Fields) -> bool:
-    """True if no list and no text is longer than its member can be."""
+    """True if no list and no text exceeds the capacity of its member."""
     return all(_fits(f, values[f.name]) for f in fields if f.name in values)
 
 

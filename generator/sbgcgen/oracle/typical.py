@@ -37,7 +37,7 @@ def typical(field: Field, type_: Type, place: int) -> Any:
 
 
 def _enum(type_: Enum, place: int, field: Field | None = None) -> int:
-    """A named value, not the first if there are others; for flags, one or two of them."""
+    """A named value, not the first one if possible; for flags, one or two of them."""
     values = [v for v in type_.values if not v.since and _allows(field, v)]
     if not values and type_.kind == "flags":
         return 0  # only later firmware has these flags
@@ -77,7 +77,7 @@ def _part(part: Part, place: int) -> int:
 
 
 def _share(place: int, low: int, high: int) -> Fraction:
-    """A fraction of a range, from `low` to `high` percent, which differs by place."""
+    """A fraction of a range, from `low` to `high` percent, which differs by position."""
     return Fraction(low + 7 * place % (high - low), 100)
 
 

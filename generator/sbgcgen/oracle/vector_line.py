@@ -57,7 +57,7 @@ def _chosen(forms: Forms, message: Message, size: int) -> Message | None:
 
 
 def request_for(forms: Forms, message: Message) -> Message | None:
-    """The request that tells a message from others of its size; None if a body is it without a request."""
+    """The request that selects a message among others of its size; None if no request is needed."""
     same = [m for m in forms[message.direction, message.id] if _sizes(m) == _sizes(message)]
     if message.direction == "to_board" or message is same[0]:
         return None
@@ -112,7 +112,7 @@ def _conditions_of(path: str, fields: tuple[Field, ...]) -> dict[str, Any]:
 def announced_types(announcement: Announcement, message: Message, fields: Fields) -> list[str]:
     """The announced types in order, up to the first element of unknown type.
 
-    A count of 0 means a single number, as 1 does.
+    A count of 0 means a single number, like 1.
     """
     result: list[str] = []
     for element in fields[announcement.list]:
@@ -144,7 +144,7 @@ def announcing(announcement: Announcement, message: Message, types: list[str]) -
 
 
 class _Kind(NamedTuple):
-    """The place of the type in an element."""
+    """The position of the type in an element."""
 
     enum: Enum
     mask: int

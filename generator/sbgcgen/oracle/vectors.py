@@ -32,7 +32,7 @@ class Vector:
 
 
 def vectors_of(message: Message, is_known: bool = False) -> list[Vector]:
-    """The vectors of a message; only a few if the body is known from another message."""
+    """The vectors of a message; only a few if the body is shared with another message."""
     maker = _Maker(message)
     maker.typical()
     maker.uniform()
@@ -98,7 +98,7 @@ def cases_of(message: Message) -> Iterator[dict[str, Any]]:
 
 
 def _with_those_of_sources(when: Condition, message: Message) -> Condition:
-    """The condition, and those under which its sources are present."""
+    """The condition, and the conditions under which its sources are present."""
     needed = [
         field.when
         for field in message.fields
@@ -140,8 +140,8 @@ class _Maker:
     def rounds(self) -> None:
         """Every edge value of every field, with all fields of a message varied at once.
 
-        Neighbors have different edge values, so that a field at a wrong offset shows. Then each
-        condition is satisfied, for as many rounds as the fields that depend on it need.
+        Neighbors have different edge values, so that a field at a wrong offset is noticed. Then each
+        condition is satisfied, for as many rounds as its dependent fields need.
         """
         for choice in self.all_rounds({}, "free"):
             self.add(choice)
@@ -223,7 +223,7 @@ class _Maker:
             self.add_body(body, full_context(self.message), f"random {number}")
 
     def tails(self) -> None:
-        """Tails: one byte, and as many as fit. Surplus makes a request longer than its largest size."""
+        """Tails: one byte, and as many as fit. Surplus exceeds the largest size of a request."""
         if not self.message.keeps_tail and not self.message.takes_surplus:
             return
         context, body = self.whole(short=self.message.keeps_tail)
@@ -296,7 +296,7 @@ class _Maker:
     def value_of_no_condition(self, source: str, others: Fields) -> Optional[int]:
         """A value of a field that satisfies no condition on it; None if there is none."""
         asked = [w for w in conditions(self.message) if source in {t.source for t in w.tests}]
-        # Not next to those that other conditions will want one day.
+        # Avoid neighbors that later conditions may use.
         values = (
             n
             for n in (0, *range(127, 0, -1))
@@ -308,7 +308,7 @@ class _Maker:
         return Choice(self.places, **options)
 
     def all_rounds(self, case: dict[str, Any], kind: str) -> Iterator[Choice]:
-        """The choices for all values of the free or conditional fields; each must be used at once."""
+        """The choices for all values of the free or conditional fields; use each one immediately."""
         last = self.choice(**case)
         yield last
         named = set(getattr(last, f"named_of_{kind}"))

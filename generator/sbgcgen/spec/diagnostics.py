@@ -13,12 +13,12 @@ from typing import Protocol
 from sbgcgen.model import Position
 
 
-# Longer messages and hints quote a value that nobody reads to its end.
+# Longer messages and hints contain a quoted value of excessive length.
 _LONGEST = 1000
 
 
 def _printable(text: str) -> str:
-    """The text as one line of limited length: what it quotes from a file may be anything."""
+    """The text as one line of limited length: quoted file content may be anything."""
     if len(text) > _LONGEST:
         text = f"{text[:_LONGEST]} ..."
     if text.isprintable():
@@ -27,7 +27,7 @@ def _printable(text: str) -> str:
 
 
 def _look_alikes(message: str) -> str:
-    """Names the letters of quoted words that only look like those of the Latin alphabet."""
+    """Names the letters in quoted words that only look like Latin ones."""
     letters = "".join(re.findall(r"'(\S+)'", message))
     names = {c: unicodedata.name(c, "") for c in letters if c.isalpha() and not c.isascii()}
     others = [f"'{c}' is {name}" for c, name in names.items() if not name.startswith("LATIN")]
@@ -49,9 +49,9 @@ class Diagnostic:
 
 
 class Mistake(Exception):
-    """A finding that does not know its position; it gets one on its way up (see Diagnostics.at).
+    """A finding without a position, which is added on the way up (see Diagnostics.at).
 
-    `key` is the key of the node in which the mistake is.
+    `key` is the key of the node that contains the mistake.
     """
 
     def __init__(self, code: str, message: str, hint: str = "", key: str = "") -> None:
@@ -84,7 +84,7 @@ class Diagnostics:
 
     @contextmanager
     def at(self, place: Position | _Node) -> Iterator[None]:
-        """Record a Mistake that is raised inside, at a position or at its key of a node."""
+        """Record a Mistake raised in the block, at a position or at its key of a node."""
         try:
             yield
         except Mistake as mistake:
@@ -110,7 +110,7 @@ class SpecError(Exception):
 
 
 def closest(name: str, known: Iterable[str], cutoff: float = 0.6) -> str:
-    """The known word that is probably meant, or "" if none is close. A `cutoff` of 1 means equal.
+    """The known word that was probably meant, or "" if none is close. A `cutoff` of 1 means equal.
 
     A word that differs only in a number is not a typo: E999 is not E099.
     """

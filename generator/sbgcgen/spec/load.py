@@ -1,4 +1,4 @@
-"""Reads spec/*.yaml into plain values that know their positions.
+"""Reads spec/*.yaml into plain values with positions.
 
 Implicit conversions of YAML are disabled: `2.50` is the text "2.50" (a firmware version), `on` is a
 word, and `010` is not octal. A repeated key is an error.
@@ -29,7 +29,7 @@ _ERRATA = "errata.yaml"
 
 _INT = re.compile(r"[-+]?(0|[1-9][0-9]{0,17})$")
 _WORDS = {"true": True, "false": False, "null": None, "~": None, "": None}
-# Marks of direction and other characters that editors do not show.
+# Direction marks and other characters that editors do not show.
 _INVISIBLE = re.compile("[\u00ad\u061c\u200b-\u200f\u202a-\u202e\u2060-\u2069\ufeff]")
 _QUOTED = re.compile(r"\"[^\"]*\"|'[^']*'")
 _HEX = re.compile(r"0x[0-9A-Fa-f]{1,16}$")
@@ -210,7 +210,7 @@ def _read(path: Path, name: str, found: Diagnostics) -> Map:
 
 
 def _advice(text: str, mark: Any, context: Any) -> str:
-    """How to repair a text with a syntax error: the character that usually causes such an error."""
+    """A hint for repairing a syntax error: the character that usually causes such an error."""
     if mark is not None:
         first = context.line if context is not None else mark.line
         lines = text.split("\n")

@@ -1,5 +1,5 @@
-"""Repairs a copy of a spec with mistakes in its shape, so that one run can also report the mistakes
-that these hide. Nothing is generated from the copy."""
+"""Repairs a copy of a structurally invalid spec, so that one run can also report the mistakes that
+are hidden by the invalid parts. Nothing is generated from the copy."""
 
 from __future__ import annotations
 
@@ -18,17 +18,17 @@ _OF_ONE_ENTRY = frozenset(
 )
 # Findings about names of other entries; they are valid if no entry was dropped.
 _OF_NAMES = frozenset(("SBGC010", "SBGC021", "SBGC023", "SBGC040", "SBGC051", "SBGC052"))
-# Keys that a field with mistakes keeps; the others describe its layout.
+# Keys that an invalid field keeps; the others describe its layout.
 _KEPT = ("name", "verbatim", "summary", "range", "special", "since", "errata")
 # A type that allows every range.
 _ANY_TYPE = "i32"
 _PLACEHOLDERS = {"summary": "?", "source": "L1", "type": _ANY_TYPE}
-# Keys without which an entry has another meaning or none.
+# Keys without which an entry is meaningless or means something else.
 _ESSENTIAL = frozenset(
     """bits divide fields forms include mask modulo name parts reserved same_as size struct
     values""".split()
 )
-# The similarity from which a word counts as a misspelled known one.
+# The minimum similarity at which a word counts as a misspelled known one.
 _CUTOFF = 0.75
 _MOST_ROUNDS = 50
 # Schema errors caused by missing parts.
@@ -116,7 +116,7 @@ class Recovery:
 
 
 def recover_shape(spec: Spec, found: Diagnostics) -> Recovery | None:
-    """A copy that fits the schema, or None. Adds mistakes that the repairs uncover to `found`."""
+    """A copy that matches the schema, or None. Adds mistakes that this uncovers to `found`."""
     recovery = Recovery(copy.deepcopy(spec), lost_entries=found.any_of(("SBGC003",)))
     for _ in range(_MOST_ROUNDS):
         errors = list(shape_errors(recovery.spec))
@@ -134,7 +134,7 @@ def recover_shape(spec: Spec, found: Diagnostics) -> Recovery | None:
 
 
 def _is_about_files(spec: Spec, error: ShapeError) -> bool:
-    """True if the error may be the reason that a family has not been read."""
+    """True if the error may be the reason that a family was not read."""
     return error.content.position.file == spec.main.position.file and (
         error.path[1:2] in ((), ("families",))
     )
@@ -149,7 +149,7 @@ def recover_syntax(recovery: Recovery, after_recovery: Diagnostics) -> bool:
 
 
 def _mend(recovery: Recovery, node: Any, places: set[Position]) -> None:
-    """Repair the fields and parts at these places, and remove the places from the set."""
+    """Repair the fields and parts at these positions, and remove the positions from the set."""
     if isinstance(node, Map):
         for key, value in node.items():
             if key in ("fields", "parts") and isinstance(value, List):

@@ -93,7 +93,7 @@ def _validator(kind: str) -> jsonschema.Draft202012Validator:
 
 
 def _relevant_errors(errors: Iterable[Any], content: Map) -> Iterator[ShapeError]:
-    """The errors of one file; of alternatives, those of the best match.
+    """The errors of one file; for alternatives, those of the best match.
 
     Drops a missing key if the same node has a misspelled one, which may be the missing key.
     """
@@ -157,7 +157,7 @@ def add_shape_error(shape: ShapeError, found: Diagnostics) -> None:
 
 
 def _closest_branch(error: Any) -> list[Any]:
-    """The errors of the alternative of an anyOf that was probably meant."""
+    """The errors of the probably intended alternative of an anyOf."""
     branches: dict[Any, list[Any]] = {}
     for inner in error.context or ():
         branches.setdefault(inner.schema_path[0], []).append(inner)

@@ -15,7 +15,7 @@ _REST = re.compile(r"(bytes|text)\[\]$")
 
 
 def check_syntax(spec: Spec, found: Diagnostics) -> None:
-    """Report entries that contradict themselves. The spec must fit the schema."""
+    """Report contradictory entries. The spec must match the schema."""
     max_body = min(int(node["max_body"]) for node in spec.main["framings"].values())
     for family, content in spec.families.items():
         if content["family"] != family:

@@ -1,14 +1,14 @@
 """Targets: the kinds of output that are generated from the protocol.
 
-A target is a subfolder, which is found by listing this folder; nothing outside names it. It has
+A target is a subfolder, which is found by listing this folder; nothing else refers to it. It has
 
 - `templates/`: the path of a template determines the path of its output and the objects that it is
   rendered for (see render.py);
 - `target.py`, if templates are not sufficient: one class derived from `Target` that overrides the
   necessary members.
 
-Targets do not import each other. Facts that several of them show come from `views/`. For facts that
-only one of them knows, such as the code of an example in its language, all of them are asked (see
+Targets do not import each other. Facts that several of them show come from `views/`. Facts that only one
+of them knows, such as the code of an example in its language, are requested from all of them (see
 `codes_of`).
 """
 
@@ -57,9 +57,9 @@ class Code:
 
 @dataclass(frozen=True)
 class Documented:
-    """A public name of a library: how it is used, and what its author says about it.
+    """A public name of a library: its signature, and its documentation.
 
-    `kind` is a word: class, function, attribute. `text` has paragraphs between empty lines; the indented
+    `kind` is a word: class, function, attribute. `text` has paragraphs between empty lines; indented
     ones are code.
     """
 
@@ -96,7 +96,7 @@ class Reference:
 class Target:
     """The interface of a target to the generator."""
 
-    # True if its output is part of generated/. If not, `sbgcgen <command>` writes it to
+    # True if its output is part of generated/. Otherwise `sbgcgen <command>` writes it to
     # build/<command>/; the command is its name with hyphens.
     committed = True
     help = ""
@@ -142,7 +142,7 @@ class Target:
         return None
 
     def record(self, layout: Layout, project: Path, version: str) -> None:
-        """Notes what it shows of the release of this version."""
+        """Record the names that the release of this version shows."""
 
     def reference(self, project: Path) -> Optional[Reference]:
         """The reference of the library in its language; None without one."""
@@ -161,7 +161,7 @@ def target(name: str) -> Target:
 
 
 def _is_target(folder: Path) -> bool:
-    """False for a folder with only the remains of a deleted target, such as caches."""
+    """False for a folder with only leftovers of a deleted target, such as caches."""
     return (folder / "target.py").is_file() or (folder / "templates").is_dir()
 
 

@@ -1,9 +1,9 @@
 """Renders the templates of a target.
 
-A template's path determines the path of its output: `templates/a/@family@.hpp.j2` is rendered to
-`a/<family>.hpp` for each family. Templates import files that end in .jinja; any other file that
-does not end in .j2 is copied. Names of templates begin with that of their target, or with that of the
-package `views`, which has what several targets share: "cpp/macros.jinja", "views/axes.svg.jinja".
+A template's path determines the path of its output: `templates/a/@family@.hpp.j2` is rendered to `a/<family>.hpp` for
+each family. Templates import files that end in .jinja; any other file that does not end in .j2 is copied. Names of
+templates begin with that of their target, or with `views`, the package with shared templates: "cpp/macros.jinja",
+"views/axes.svg.jinja".
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ def _fail(message: str) -> None:
 
 
 class _CompiledTemplates(jinja2.BytecodeCache):
-    """The code of templates, which takes longer to compile than to run."""
+    """The code of templates, whose compilation takes longer than running them."""
 
     def __init__(self) -> None:
         self._code: dict[tuple[str, str], CodeType | None] = {}

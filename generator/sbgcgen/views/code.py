@@ -1,4 +1,4 @@
-"""Names and numbers in code, in any language: what the model names, and what an example has on the wire."""
+"""Names and numbers in code, in any language: the model's names, and an example's raw values."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from operator import or_
 from sbgcgen.model import Enum, EnumValue, Packed, Part, Quantity
 from sbgcgen.model.packed_text import part_of
 
-# Names that every message, packed integer or enum of Python has already.
+# Names that every Python message, packed integer or enum already has.
 _TAKEN_IN_PYTHON = {
     "self",
     "cls",
@@ -26,14 +26,14 @@ _TAKEN_IN_PYTHON = {
 
 
 def enum_name(value: EnumValue) -> str:
-    """The name of an enum value: the protocol's own, unless Python cannot have it."""
+    """The name of an enum value: the protocol's own, unless it is impossible in Python."""
     name = value.name
     is_taken = keyword.iskeyword(name) or name in _TAKEN_IN_PYTHON or name.startswith("_")
     return value.identifier.upper() if is_taken or not name.isidentifier() else name
 
 
 def attribute_name(name: str) -> str:
-    """The name of a field or part, which may be a word of Python: in_."""
+    """The name of a field or part, which may be a Python keyword: in_."""
     return (
         f"{name}_"
         if keyword.iskeyword(name) or name in _TAKEN_IN_PYTHON - {"name", "value"}
@@ -48,7 +48,7 @@ def unit_name(quantity: Quantity) -> str:
 
 
 def decimal(raw: int, quantity: Quantity) -> str:
-    """The shortest decimal number to which this raw value is the nearest one."""
+    """The shortest decimal number for which this raw value is the nearest one."""
     exact = quantity.real(raw)
     for digits in range(12):
         text = f"{float(exact):.{digits}f}"
@@ -62,13 +62,13 @@ def value_named(enum: Enum, value: int) -> EnumValue | None:
 
 
 def flags_of(enum: Enum, bits: int) -> list[EnumValue]:
-    """The flags that make these bits; none if they do not make all of them."""
+    """The flags that make up these bits; empty if they do not make up all of them."""
     found = [v for v in enum.values if v.value and bits & v.value == v.value]
     return found if reduce(or_, (flag.value for flag in found), 0) == bits else []
 
 
 def parts_that_make(packed: Packed, raw: int) -> list[tuple[Part, int]] | None:
-    """The parts that are not zero with what they hold; None if they do not make the whole number."""
+    """The non-zero parts and their values; None if they do not make up the whole number."""
     made = 0
     for part in packed.parts:
         made |= 0 if part.is_digits else part_of(part, raw) << part.shift

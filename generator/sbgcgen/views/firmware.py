@@ -1,4 +1,4 @@
-"""The history of the protocol: what each firmware and board version added, changed and ended."""
+"""The history of the protocol: additions, changes and removals of each version."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ from sbgcgen.views.rows import Row, rows_of
 
 @dataclass
 class News:
-    """The additions, changes and ends of one version; `since` is that version alone.
+    """The additions, changes and removals of one version; `since` is only that version.
 
-    `forms` are new messages of older commands. `changed` are values, and `meanings` fields, whose
-    meaning changed.
+    `forms` are new messages of older commands. `changed` are values, and `meanings` fields, with a
+    changed meaning.
     """
 
     since: Availability
@@ -46,7 +46,7 @@ class News:
         return [message for message in self.messages if message.command not in names]
 
     def messages_of(self, command: Command) -> list[Message]:
-        """The messages that came with a new command."""
+        """The messages that were introduced with a new command."""
         return [message for message in self.messages if message.command == command.name]
 
 
@@ -71,7 +71,7 @@ class History:
         for command in layout.commands:
             self._note(command.since, "commands", command)
         for enum in layout.enums:
-            # The ids of commands and variables derive from these, and have no place of their own.
+            # The ids of commands and variables derive from these, and have no position of their own.
             for value in enum.values if enum.at is not NOWHERE else ():
                 former = value.former.firmware if value.former else None
                 self._note(former, "changed", (enum, value))
@@ -98,9 +98,9 @@ class History:
 
     @cached_property
     def choices(self) -> list[tuple[str, list[tuple[int, str]]]]:
-        """The firmware versions that differ, with their numbers, by release.
+        """The firmware versions with differences, with their numbers, by release.
 
-        Each release from the oldest firmware on is there, although not all of them brought something.
+        All releases since the oldest firmware are included, even those without news.
         """
         found = {news.since.firmware: news.text for news in self.of_firmware}
         type_ = self._layout.versions.firmware

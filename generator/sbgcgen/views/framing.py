@@ -51,7 +51,7 @@ def checksum_text(framing: Framing, name: str) -> str:
 
 
 def crc_text(crc: Crc) -> str:
-    """The definition of a cyclic redundancy check, as catalogues put it."""
+    """The definition of a cyclic redundancy check, in the terms of catalogues."""
     order = {True: "least", False: "most"}
     digits = crc.width // 4
     words = [

@@ -1,4 +1,4 @@
-"""The values of a worked example as `sbgc send` takes them: axes.pitch.angle=10."""
+"""The values of a worked example in the syntax of `sbgc send`: axes.pitch.angle=10."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def send_command(example: Example) -> str:
 
 
 def _is_said(piece: Piece) -> bool:
-    """False for what a new message has, and for what follows from other values."""
+    """False for the values of a new message, and for values implied by others."""
     field = piece.field
     if piece.is_padding or field.is_counter:
         return False
@@ -38,7 +38,7 @@ def _text(piece: Piece) -> str:
 
 
 def _quantity(piece: Piece, quantity: Quantity) -> str:
-    """A number in the unit that is in effect, or the one on the wire."""
+    """A number in the unit in effect, or the raw number."""
     other = piece.field.alternative
     is_in_unit = not other or piece.meaning.startswith(physical(piece.value, quantity))
     is_special = any(special.value == piece.value for special in piece.field.special)

@@ -15,8 +15,8 @@ from sbgcgen.views.framing import crc_text, frame_parts, sums_in
 
 
 def to_json(value: dict[str, Any]) -> str:
-    """An object as JSON, in insertion order: a line for each member, and for each object of a list,
-    so that a difference is readable. What such an object holds besides lists of objects is on its line.
+    """An object as JSON, in insertion order: one line for each member, and for each object of a list,
+    so that differences are readable. Other nested values of such an object stay on its line.
     """
     members = [f"  {_quoted(name)}: {_rows(item, '  ')}" for name, item in value.items()]
     return "{\n" + ",\n".join(members) + "\n}"
@@ -56,7 +56,7 @@ def versions(since: Availability) -> str:
 
 
 def stop_text(message: Message) -> str:
-    """When a request stops all motion: "Stops all motion if `cmd_id` is `MOTOR_OFF`."; or ""."""
+    """The stop condition of a request: "Stops all motion if `cmd_id` is `MOTOR_OFF`."; or ""."""
     if not message.stops:
         return ""
     patterns = [" and ".join(map(_stop_value, pattern)) for pattern in message.stops]
@@ -132,7 +132,7 @@ def title_of(name: str) -> str:
 
 
 def positive_text(leaves: Iterable[Leaf]) -> str:
-    """Which way positive values of leaves count: "down", or "pitch down, yaw right, roll unknown"."""
+    """The sign convention of leaves: "down", or "pitch down, yaw right, roll unknown"."""
     words = {leaf.direction: _positive(leaf.direction) for leaf in leaves}
     if len(words) <= 1:
         return "".join(words.values())

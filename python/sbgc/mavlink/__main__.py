@@ -18,7 +18,7 @@ SAID: dict[str, float] = {}
 
 
 def is_new(record: logging.LogRecord) -> bool:
-    """False for what has been said within a minute: a lost line is tried each second."""
+    """Return False for messages logged within the last minute: a lost line is tried each second."""
     text = record.getMessage()
     is_old = record.created - SAID.get(text, 0.0) < 60
     SAID[text] = SAID[text] if is_old else record.created

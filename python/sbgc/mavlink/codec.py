@@ -1,4 +1,4 @@
-"""The codec of pymavlink, which has no types, behind one that has.
+"""A typed wrapper of pymavlink's codec, which has no types.
 
 It checks length, CRC and signature, and cuts or pads payloads of other versions.
 """
@@ -21,7 +21,7 @@ Ids = tuple[int, int]  # a system and a component
 
 
 class Constants:
-    """The values of an enumeration of common.xml, whose names lack that of the enumeration."""
+    """The values of an enumeration of common.xml, without the enumeration's prefix in their names."""
 
     def __init__(self, name: str) -> None:
         values = mav.enums[name].items()
@@ -36,7 +36,7 @@ Result = Constants("MAV_RESULT")
 
 
 class Message(NamedTuple):
-    """A message whose checksum, and signature if there is a key, are right; nothing else is checked."""
+    """A message with a valid checksum, and with a key a valid signature; nothing else is checked."""
 
     name: str
     sender: Ids
@@ -68,8 +68,8 @@ TYPES = {one.msgname: one for one in mav.mavlink_map.values()}
 class Codec(mav.MAVLink):  # type: ignore[misc]
     """Encodes and decodes the messages of one line, or of one sender of datagrams.
 
-    `key` is the secret key of signing, 32 bytes: with it, messages that are not signed, or were signed before
-    others of their sender, are refused. `counters` counts what is refused.
+    `key` is the secret key of signing, 32 bytes: with it, messages that are unsigned, or older than others of
+    their sender, are rejected. `counters` counts rejections.
     """
 
     def __init__(self, key: Optional[bytes], counters: Counter[str]) -> None:
@@ -80,15 +80,15 @@ class Codec(mav.MAVLink):  # type: ignore[misc]
             self.signing.timestamp = int((time.time() - SIGNING_BEGIN) * SIGNING_STEPS)
 
     def to_bytes(self, name: str, sender: Ids, sequence: int, **fields: Any) -> bytes:
-        """Make the bytes of a message. Numbers that are left out are 0; a text is bytes."""
+        """Encode a message. Omitted numbers are 0; a text is bytes."""
         self.srcSystem, self.srcComponent, self.seq = *sender, sequence
         kind = TYPES[name]
         return bytes(kind(**{**dict.fromkeys(kind.fieldnames, 0), **fields}).pack(self))
 
     def messages(self, data: bytes, is_datagram: bool = False) -> list[Message]:
-        """Take bytes from the line, and return the messages that they complete.
+        """Process bytes from the line, and return the messages that they complete.
 
-        What a datagram does not complete is dropped. Messages of other dialects are skipped, unchecked.
+        Incomplete data at the end of a datagram are dropped. Messages of other dialects are skipped.
         """
         found = []
         while (one := self.parse_char(data)) is not None or is_datagram and self.buf_len():
@@ -112,7 +112,7 @@ class Codec(mav.MAVLink):  # type: ignore[misc]
         return found
 
     def check_signature(self, msgbuf: bytearray, srcSystem: int, srcComponent: int) -> bool:
-        """A forged signature must not change the times that are known, as it does in pymavlink."""
+        """A forged signature must not change the stored timestamps, as it does in pymavlink."""
         digest = sha256(self.signing.secret_key + msgbuf[:-6]).digest()[:6]
         is_genuine = compare_digest(digest, bytes(msgbuf[-6:]))
         return is_genuine and bool(super().check_signature(msgbuf, srcSystem, srcComponent))

@@ -1,4 +1,4 @@
-"""The gimbal device of the Gimbal Protocol v2, one component for one gimbal: what it tells and heeds."""
+"""The gimbal device of the Gimbal Protocol v2: one component for one gimbal."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ STATUS = "GIMBAL_DEVICE_ATTITUDE_STATUS"
 Fields = Optional[dict[str, Any]]
 LOCKS = Flags.ROLL_LOCK, Flags.PITCH_LOCK, Flags.YAW_LOCK
 LEVEL = Flags.ROLL_LOCK | Flags.PITCH_LOCK
-# GIMBAL_DEVICE_CAP_FLAGS: neutral; axis, follow and lock of roll, pitch and yaw; yaw of the earth.
+# GIMBAL_DEVICE_CAP_FLAGS: neutral; axis, follow and lock of roll, pitch and yaw; yaw in the earth frame.
 CAPABILITIES, OF_YAW = 0x17FE, 0x1700
 MANAGES_GIMBALS = 0x40000  # the capability COMPONENT_IMPLEMENTS_GIMBAL_MANAGER
 ONE_COMPONENT = 1  # the gimbal_device_id of a gimbal that is one component with its manager
@@ -42,7 +42,7 @@ ERRORS = {  # of the board, by what tells them
 
 
 class Device:
-    """A gimbal device, with what argparse has found for it. It heeds the autopilot, if not its manager."""
+    """A gimbal device, with the options of argparse. It obeys the autopilot, if not its manager."""
 
     is_managed = False  # by this component itself
 
@@ -54,7 +54,7 @@ class Device:
         self._last_setpoint = -inf
 
     async def run(self) -> None:
-        """Send heartbeats and statuses for ever."""
+        """Send heartbeats and statuses forever."""
         await self.vehicle.has_had_a_line.wait()  # or the first heartbeat would be lost
         beat = time.monotonic()
         while True:
@@ -70,7 +70,7 @@ class Device:
         self.vehicle.send(self.component, name, **fields)
 
     def tell(self, name: str) -> int:
-        """Send what a method with the name of the message knows; returns a MAV_RESULT."""
+        """Send the message that a method of this name provides; returns a MAV_RESULT."""
         fields_of: Optional[Callable[[], Fields]] = getattr(self, f"_{name.lower()}", None)
         if fields_of is None:
             return Result.UNSUPPORTED
@@ -102,7 +102,7 @@ class Device:
         return {"flags": self._flags(), "failure_flags": self._failures(sample), **fields}
 
     def _flags(self) -> int:
-        """The state of the gimbal. Yaw is always in the frame of the vehicle."""
+        """Return the state of the gimbal. Yaw is always in the frame of the vehicle."""
         found, heading = Flags.YAW_IN_VEHICLE_FRAME, self.head.autopilot.heading
         found |= 0 if isnan(heading) else Flags.ACCEPTS_YAW_IN_EARTH_FRAME
         wishes = self.head.steering.wishes
@@ -120,7 +120,7 @@ class Device:
         return found
 
     def _gimbal_device_information(self) -> Fields:
-        """All about the gimbal: its limits in radians, NaN where there is none."""
+        """Return all information about the gimbal: limits in radians, NaN where there is none."""
         if (who := self.head.identity) is None:
             return None
         has_yaw = who.info.board_features & BoardFeatures.BOARD_FEATURE_3AXIS
@@ -145,12 +145,12 @@ class Device:
         return fields
 
     def take(self, message: Message) -> None:
-        """Take a message for this component, or for all. Raises ValueError if it is refused."""
+        """Process a message for this component, or a broadcast. Raises ValueError if it is rejected."""
         name, values = message.name, message.values
         if name in ("COMMAND_LONG", "COMMAND_INT"):
             self._answer(message)
         elif name in ("PARAM_REQUEST_LIST", "PARAM_REQUEST_READ", "PARAM_SET"):
-            # The rate of statuses is the only one; who sets it is told that it has not changed.
+            # The rate of statuses is the only parameter. It is constant: requests get its value.
             place = {"param_type": mav.MAV_PARAM_TYPE_REAL32, "param_count": 1, "param_index": 0}
             self.send("PARAM_VALUE", param_id=b"STATUS_RATE", param_value=self._rate, **place)
         elif name in ("AUTOPILOT_STATE_FOR_GIMBAL_DEVICE", "GIMBAL_DEVICE_SET_ATTITUDE"):
@@ -164,7 +164,7 @@ class Device:
                 self.head.autopilot.take(values)
 
     def _answer(self, message: Message) -> None:
-        """Execute a command and acknowledge it. To all, only who supports a command answers."""
+        """Execute a command and acknowledge it. Unsupported broadcast commands are not answered."""
         values = message.values
         parameters = [getattr(values, name) for name in values.get_fieldnames()[-7:]]
         try:
@@ -193,7 +193,7 @@ class Device:
         return Result.ACCEPTED
 
     def steer(self, values: Any) -> None:
-        """Do as SET_ATTITUDE of a device or a manager says. Raises ValueError."""
+        """Execute SET_ATTITUDE of a device or a manager. Raises ValueError."""
         q, flags = rotation_of(values.q), values.flags
         rates = Angles(*(degrees(getattr(values, f"angular_velocity_{axis}")) for axis in "xyz"))
         if q is None and not flags & Flags.NEUTRAL and all(isnan(rate) for rate in rates):
@@ -201,20 +201,20 @@ class Device:
         self.aim(flags, Angles(nan, nan, nan) if q is None else angles_of(q), rates)
 
     def aim(self, flags: int, angles: Angles, rates: Angles) -> bool:
-        """Turn each axis to its angle, or with its rate if that is NaN; in degrees.
+        """Turn each axis to its angle, or with its rate if the angle is NaN; in degrees.
 
-        What is NaN, too, holds still. False if nothing can come of it; raises ValueError if it is nonsense.
+        Axes where both are NaN hold still. Returns False if it has no effect; raises ValueError if invalid.
         """
         if flags & Flags.NEUTRAL:
             angles, flags = Angles(0.0, 0.0, 0.0), flags & Flags.RETRACT | LEVEL
-        if flags & Flags.RETRACT:  # ArduPilot sends rates of 0 with it, which are none
+        if flags & Flags.RETRACT:  # ArduPilot sends meaningless rates of 0 with it
             raise ValueError("retract")
         if flags & Flags.YAW_IN_VEHICLE_FRAME and flags & Flags.YAW_IN_EARTH_FRAME:
             raise ValueError("flags")
         if any(abs(one) > MOST for one in (*angles, *rates)):
             raise ValueError("range")
         self._last_setpoint = time.monotonic()
-        # ArduPilot sends no flag for a gimbal that follows; roll and pitch are stabilized all the same.
+        # ArduPilot sends no flag for a gimbal that follows; roll and pitch are stabilized nevertheless.
         locks = flags if flags & (LEVEL | Flags.YAW_LOCK) else LEVEL
         axes = zip(LOCKS, angles, rates)
         wishes = [Wish(not locks & lock, angle, rate) for lock, angle, rate in axes]
@@ -223,7 +223,7 @@ class Device:
         return self.head.aim(wishes)
 
     def _yaw(self, flags: int, yaw: float) -> Wish:
-        """The frame and the angle of a yaw, which is not always given in the frame where it is locked."""
+        """Return frame and angle of a yaw, which is not always given in the frame where it is locked."""
         locks, autopilot = bool(flags & Flags.YAW_LOCK), self.head.autopilot
         is_given = flags & (Flags.YAW_IN_VEHICLE_FRAME | Flags.YAW_IN_EARTH_FRAME)
         is_in_earth = bool(flags & Flags.YAW_IN_EARTH_FRAME) if is_given else locks
@@ -240,7 +240,7 @@ class Device:
 
 
 def version_of(text: str) -> int:
-    """A version such as 2.59, 2.74.5 or 2.43b9 as MAVLink has it: dev, patch, minor, major."""
+    """Encode a version such as 2.59, 2.74.5 or 2.43b9 for MAVLink: dev, patch, minor, major."""
     found = re.match(r"(\d+)\.(\d+)(?:\.(\d+))?(?:b(\d+))?", text)
     parts = [min(int(part), 255) for part in found.groups("0")] if found else []
     return int.from_bytes(bytes(parts), "little")

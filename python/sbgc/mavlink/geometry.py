@@ -1,7 +1,7 @@
-"""Attitudes, also the vehicle's: quaternions (w, x, y, z) and angles in degrees, as MAVLink counts them.
+"""Attitudes of camera and vehicle: quaternions (w, x, y, z) and angles in degrees, as MAVLink defines them.
 
-The angles are those of a gimbal: its motor of yaw carries that of roll, which carries that of pitch, so that
-straight down is no special attitude. Without roll, they are also the angles of an aircraft.
+The angles are those of a gimbal: its yaw motor carries the roll motor, which carries the pitch motor, so that
+straight down is not singular. Without roll, they are also the angles of an aircraft.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ def angles_of(q: list[float]) -> Angles:
 
 
 def rotation_of(values: list[float]) -> Optional[list[float]]:
-    """The rotation of a message: None if all four numbers are NaN. Raises ValueError if it is none."""
+    """Return the rotation of a message: None if all are NaN. Raises ValueError if it is invalid."""
     if all(isnan(value) for value in values):
         return None
     length = hypot(*values)
@@ -47,11 +47,11 @@ def rotation_of(values: list[float]) -> Optional[list[float]]:
 
 
 class Autopilot:
-    """The newest state, and the north that follows from it.
+    """The newest state, and the direction of north derived from it.
 
-    A board without a magnetometer counts yaw from where it began, and drifts. The camera's heading is that of
-    the vehicle plus the joint of yaw; this is exact while the vehicle is level, and 1 degree off at worst while
-    it is tilted by 15. `north`, the heading where the board's yaw is 0, follows the difference slowly.
+    A board without a magnetometer counts yaw from its initial direction, and drifts. The camera's heading is
+    the vehicle's plus the yaw joint; this is exact while the vehicle is level, and off by at most 1 degree
+    while it is tilted by 15. `north`, the heading at the board's yaw 0, follows the difference slowly.
     """
 
     def __init__(self) -> None:
@@ -61,11 +61,11 @@ class Autopilot:
 
     @property
     def heading(self) -> float:
-        """Degrees from north to the right; NaN if not known."""
+        """The heading in degrees from north to the right; NaN if unknown."""
         return self._heading if time.monotonic() - self._at < FRESH else nan
 
     def take(self, values: Any) -> None:
-        """Take AUTOPILOT_STATE_FOR_GIMBAL_DEVICE. Raises ValueError if it is wrong."""
+        """Process AUTOPILOT_STATE_FOR_GIMBAL_DEVICE. Raises ValueError if it is invalid."""
         if (q := rotation_of(values.q)) is None:
             return
         w, x, y, z = q
@@ -75,7 +75,7 @@ class Autopilot:
         self.turn = max(-360.0, min(360.0, rate)) if isfinite(rate) else 0.0
 
     def correct(self, offset: float, is_held: bool) -> None:
-        """Correct north by how much the joint's yaw exceeds the board's: slowly if yaw is held by it."""
+        """Correct north by the amount that the joint's yaw exceeds the board's: slowly if it holds yaw."""
         if isnan(found := self.heading + offset):
             return
         now, north = time.monotonic(), found if isnan(self.north) else self.north

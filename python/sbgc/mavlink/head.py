@@ -1,4 +1,4 @@
-"""A gimbal behind its serial line: what it measures, and what it is told."""
+"""A gimbal on a serial line: its measurements and its setpoints."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ STALE, LOST, AGAIN = 0.5, 2.0, 2.0  # seconds without a sample, and until the ne
 class Head:
     """Drives one gimbal. `aim()` takes setpoints; nothing moves while its motors are off.
 
-    With the option `arm`, one turns them on, once. `counters` counts setpoints that had no effect.
+    With the option `arm`, it turns them on, once. `counters` counts setpoints that had no effect.
     """
 
     def __init__(self, given: Namespace, counters: Counter[str]) -> None:
@@ -42,19 +42,19 @@ class Head:
 
     @property
     def sample(self) -> Optional[Sample]:
-        """The newest one; None while the board does not report."""
+        """The newest sample; None while the board does not report."""
         is_alive = self._samples and time.monotonic() - self._samples[-1].at < STALE
         return self._samples[-1] if is_alive else None
 
     @property
     def rates(self) -> Angles:
-        """How quickly the angles change, degrees per second; NaN if not known."""
+        """Return the angular rates, in degrees per second; NaN if unknown."""
         old, new = self._samples[0], self._samples[-1]
         seconds = max(new.at - old.at, INTERVAL) if new is not old else nan
         return Angles(*((b - a) / seconds for a, b in zip(old.angles, new.angles)))
 
     def aim(self, wishes: list[Wish]) -> bool:
-        """Take a setpoint; False if nothing can come of it, because of the line or the motors."""
+        """Accept a setpoint; returns False if line or motors keep it from having an effect."""
         sample = self.sample
         if sample is None or not (sample.are_motors_on or self._may_arm):
             self._counters["no_gimbal" if sample is None else "motors_off"] += 1
@@ -64,7 +64,7 @@ class Head:
         return True
 
     async def run(self) -> None:
-        """Serve the gimbal for ever; one that is lost is searched for."""
+        """Serve the gimbal forever; search for it when it is lost."""
         while True:
             try:
                 async with aio.connect(self._place) as gimbal:
@@ -137,7 +137,7 @@ class Head:
 
 
 def limits_of(profile: Profile, axis: str, sign: float) -> Range:
-    """The limits of an axis: those of RC, and those of the joint where they are set."""
+    """Return the limits of an axis: those of RC, and those of the joint where they are set."""
     names = f"rc.{axis}.rc_%s_angle", f"encoder_limit_%s.{axis}", f"frame_cam_angle_%s.{axis}"
     found = [UNLIMITED]
     for name in names:

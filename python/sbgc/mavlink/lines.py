@@ -1,4 +1,4 @@
-"""Opens lines that carry MAVLink, named as pymavlink names them, and serves them with asyncio."""
+"""Opens MAVLink connections, with pymavlink's address syntax, and serves them with asyncio."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ WAIT = 1.0  # seconds until a lost line is opened again
 
 
 async def serve(address: str, vehicle: Vehicle) -> None:
-    """Serve a line for ever: one that is lost is opened again. Raises ValueError if it is none."""
+    """Serve a line forever; a lost one is reopened. Raises ValueError for an invalid address."""
     while True:
         try:
             await _serve(address, vehicle)

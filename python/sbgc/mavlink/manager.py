@@ -1,8 +1,8 @@
-"""The gimbal manager of the Gimbal Protocol v2, one component with its device: who may steer, and how.
+"""The gimbal manager of the Gimbal Protocol v2: one component with its device. It arbitrates control.
 
-Whoever asks for primary control with DO_GIMBAL_MANAGER_CONFIGURE gets it, also from somebody else; the owner
-loses it by giving it back, or by five seconds of silence. The owner of secondary control steers while nobody has
-primary control. Places (ROI) are not supported.
+A request for primary control with DO_GIMBAL_MANAGER_CONFIGURE always succeeds, even if another component has it;
+the owner loses it by returning it, or after five seconds of silence. The owner of secondary control steers while
+nobody has primary control. Locations (ROI) are not supported.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ class Manager(Device):
         await asyncio.sleep(SEARCH)
         self.is_managed = not self._has_rival
         while self.is_managed:
-            # The control of who is silent ends.
+            # Owners that are silent lose control.
             self._own([one if self.vehicle.hears(one) else NOBODY for one in self._owners])
             self.tell("GIMBAL_MANAGER_STATUS")
             await asyncio.sleep(INTERVAL)
@@ -88,7 +88,7 @@ class Manager(Device):
         return Result.ACCEPTED if self.aim(int(flags), angles, rates) else Result.FAILED
 
     def _require(self, device_id: float, sender: Optional[Ids] = None) -> None:
-        """Raises ValueError unless this gimbal is meant, and the sender, if one is given, may steer it."""
+        """Raise ValueError unless this gimbal is addressed, and the sender, if given, may steer it."""
         if not self.is_managed or device_id not in (0, ONE_COMPONENT, self.component):
             raise ValueError("for_others")
         primary, secondary = self._owners
@@ -116,7 +116,7 @@ class Manager(Device):
             self.tell("GIMBAL_MANAGER_STATUS")
 
     def _turn(self, name: str, values: Any) -> None:
-        """Do as SET_PITCHYAW or SET_MANUAL_CONTROL says."""
+        """Execute SET_PITCHYAW or SET_MANUAL_CONTROL."""
         given = [values.pitch, values.yaw, values.pitch_rate, values.yaw_rate]
         if name == "GIMBAL_MANAGER_SET_PITCHYAW":
             given = [degrees(one) for one in given]

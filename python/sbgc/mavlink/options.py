@@ -1,4 +1,4 @@
-"""The settings of the program, from options or a file with the same keys; the guide shows one."""
+"""The settings of the program, from options or a file with the same keys; see the guide."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ class Settings:
         self.gimbals: dict[str, Namespace] = {}
 
     def read(self, path: Path) -> None:
-        """Read a file. Raises OSError and configparser.Error; ends the program if it is wrong."""
+        """Read a file. Raises OSError and configparser.Error; ends the program if it is invalid."""
         file = ConfigParser(interpolation=None)
         file.read_string(path.read_text(encoding="utf-8"), str(path))
         for section in file.sections():
@@ -59,7 +59,7 @@ class Settings:
             (self.vehicles if is_vehicle else self.gimbals)[name] = parser.parse_args(words)
 
     def write(self, path: Path) -> None:
-        """Write what read() reads."""
+        """Write the file that read() reads."""
         file = ConfigParser(interpolation=None)
         kinds = ("vehicle", self.vehicles, VEHICLE.parse_args([]))
         for kind, group, keys in (kinds, ("gimbal", self.gimbals, IN_FILE.parse_args(["--port="]))):
@@ -74,13 +74,13 @@ class Settings:
             file.write(output)
 
     def complete(self) -> None:
-        """Give each gimbal its component. Raises ValueError if something is impossible."""
+        """Assign each gimbal its component. Raises ValueError if that is impossible."""
         if not self.gimbals:
             raise ValueError("there is no gimbal")
         for given in self.vehicles.values():
             given.line = given.line or [USUAL_LINE]
         free = {name: list(COMPONENTS) for name in self.vehicles}
-        # Those that name a component come first.
+        # Gimbals with an explicit component come first.
         for name, gimbal in sorted(self.gimbals.items(), key=lambda item: not item[1].component):
             for key, (low, high) in RANGES.items():
                 if not low <= getattr(gimbal, key) <= high:
@@ -96,7 +96,7 @@ class Settings:
 
 
 def key_of(path: str) -> Optional[bytes]:
-    """The key in a file, if one is named. Raises OSError, and ValueError if it is none."""
+    """Return the key in a file, if one is given. Raises OSError and ValueError."""
     if not path:
         return None
     data = Path(path).expanduser().read_bytes()

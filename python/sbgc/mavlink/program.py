@@ -21,7 +21,7 @@ SEEN = {"roll": "its right side went down", "pitch": "it looked up", "yaw": "it 
 
 
 async def run(settings: Settings) -> None:
-    """Run until SIGTERM or Ctrl-C. Raises OSError and ValueError for wrong lines and keys."""
+    """Run until SIGTERM or Ctrl-C. Raises OSError and ValueError for invalid lines and keys."""
     jobs: list[Coroutine[Any, Any, None]] = []
     vehicles = {name: Vehicle(name, given) for name, given in settings.vehicles.items()}
     for name, vehicle in vehicles.items():
@@ -40,7 +40,7 @@ async def run(settings: Settings) -> None:
     finally:
         for task in tasks:
             task.cancel()
-        # Leaving earlier would cancel the stop of a rate.
+        # Exiting earlier would cancel the stop of a rate.
         await asyncio.gather(*tasks, return_exceptions=True)
     for task in tasks:
         if not task.cancelled():
@@ -48,7 +48,7 @@ async def run(settings: Settings) -> None:
 
 
 async def check(settings: Settings, path: Path) -> None:
-    """Turn each axis a little, ask what was seen, and write the signs into a configuration file."""
+    """Turn each axis a little, ask what the user saw, and write the signs into a configuration."""
     for name, gimbal in settings.gimbals.items():
         print(f"Gimbal {name or gimbal.port}: each axis turns by {TURN:g} degrees and back.")
         if not await _answer("Are the motors on, and hands and cables clear?"):

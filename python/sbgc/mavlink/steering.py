@@ -1,9 +1,9 @@
-"""From what a manager wants to what the board is told: angles only, also for rates.
+"""Conversion of a manager's setpoints to commands of the board: angles only, also for rates.
 
-A rate becomes an angle that is always ahead of the camera, by what it turns in the time after which a rate
-ends. So the board ends a rate by itself, whoever dies: it stops where that angle is.
+A rate becomes an angle that is always ahead of the camera, by the turn within the timeout of a rate. So
+the board ends a rate by itself, whatever fails: it stops at that angle.
 
-All angles are degrees and count as in MAVLink: pitch up, yaw right, roll right.
+All angles are in degrees and have the signs of MAVLink: pitch up, yaw right, roll right.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ STOP = 0.15  # seconds that a camera takes to stop
 
 
 class Wish(NamedTuple):
-    """The order for an axis: turn to an angle, or with a rate. With neither, it holds still."""
+    """The order for an axis: turn to an angle, or with a rate. Without either, it holds still."""
 
     follows: bool  # the frame of the gimbal; else it is stabilized, yaw from where the board began
     angle: float = nan  # where a rate began, if it has
@@ -47,7 +47,7 @@ class Sample(NamedTuple):
 
 
 class Steering:
-    """Keeps the newest setpoint of a gimbal, with what argparse has found for it."""
+    """Keeps the newest setpoint of a gimbal, with the options of argparse."""
 
     def __init__(self, given: Namespace) -> None:
         self.signs = Angles(given.roll_sign, given.pitch_sign, given.yaw_sign)
@@ -62,7 +62,7 @@ class Steering:
 
     @property
     def needs_repetition(self) -> bool:
-        """True if the board has to be told again where an axis belongs that follows something."""
+        """True if the board needs repeated targets, because an axis follows something."""
         return any(wish.follows or wish.is_north for wish in self.wishes)
 
     @property
@@ -91,7 +91,7 @@ class Steering:
         return Wish(wish.follows, start, rate, at=now)
 
     def control(self, sample: Sample, autopilot: Autopilot) -> ControlExt:
-        """The next order for the board."""
+        """Return the next order for the board."""
         modes, targets = [], []
         for number, wish in enumerate(self.wishes):
             speed = abs(wish.rate) or self._speed

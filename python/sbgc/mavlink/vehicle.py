@@ -1,4 +1,4 @@
-"""The system that gimbals belong to, and its lines: who is heard, and which messages are for whom."""
+"""The system that gimbals belong to, and its lines: filtering and routing of messages."""
 
 from __future__ import annotations
 
@@ -23,10 +23,10 @@ SILENCE, REPORT = 5.0, 60.0  # seconds after which somebody is gone, and between
 
 
 class Vehicle:
-    """One system of MAVLink. Its id is that of the autopilot that is heard first, unless one is given.
+    """A MAVLink system. Its id is that of the first autopilot heard, unless one is given.
 
-    `counters` counts, by reason, what has been refused: noise, damaged, truncated, signature, late, echo,
-    for_others, and what the gimbals refuse.
+    `counters` counts rejected messages by reason: noise, damaged, truncated, signature, late, echo,
+    for_others, and rejections by the gimbals.
     """
 
     def __init__(self, name: str, given: Namespace) -> None:
@@ -34,7 +34,7 @@ class Vehicle:
         self.counters: Counter[str] = Counter()
         self.lines: list[Line] = []
         self.has_had_a_line = asyncio.Event()
-        # What takes the messages for a component. Raises ValueError with the reason of a refusal.
+        # Handles the messages for a component. Raises ValueError with the reason of a rejection.
         self.devices: dict[int, Callable[[Message], None]] = {}
         self._is_given = bool(given.system)
         self._sequences: Counter[int] = Counter()
@@ -42,7 +42,7 @@ class Vehicle:
         self._encoder = Codec(self.key, self.counters)
 
     async def report(self) -> None:
-        """Tell now and then what has been refused."""
+        """Log now and then how many messages have been rejected."""
         while True:
             await asyncio.sleep(REPORT)
             if self.counters:
@@ -54,7 +54,7 @@ class Vehicle:
         return time.monotonic() - self._heard.get(sender, -inf) < SILENCE
 
     def send(self, component: int, name: str, **fields: Any) -> None:
-        """Send a message to all lines; before the system is known, only heartbeats, to wake the silent."""
+        """Send a message on all lines; before the system is known, only heartbeats, to wake peers."""
         lines = [line for line in self.lines if self.system or line.is_new and name == "HEARTBEAT"]
         sender, sequence = (self.system or AUTOPILOT, component), self._sequences[component]
         self._sequences[component] = (sequence + 1) % SEQUENCES
@@ -63,7 +63,7 @@ class Vehicle:
             line.write(data)
 
     def take(self, message: Message) -> None:
-        """Give a message to the devices for whom it is."""
+        """Pass a message to the devices that it addresses."""
         (system, component), values = message.sender, message.values
         if system == self.system and component in self.devices:
             self.counters["echo"] += 1
@@ -97,7 +97,7 @@ class Line(asyncio.Protocol, asyncio.DatagramProtocol):
         self.lost, self.is_new = asyncio.get_running_loop().create_future(), True
         self._vehicle, self._codec = vehicle, Codec(vehicle.key, vehicle.counters)
         self._is_datagram, self._is_open = kind.startswith("udp"), kind in ("udp", "udpin")
-        # Has the last sequence of each sender, and when it came.
+        # Has the last sequence number of each sender, and its arrival time.
         self._peers: dict[Any, dict[Ids, tuple[int, float]]] = {} if self._is_open else {None: {}}
 
     def connection_made(self, transport: Any) -> None:
@@ -129,7 +129,7 @@ class Line(asyncio.Protocol, asyncio.DatagramProtocol):
             now = time.monotonic()
             sequence, at = last.get(message.sender, (0, -inf))
             behind = (sequence - message.sequence) % SEQUENCES
-            # A sender that restarts begins at 0; it is late for a second at most.
+            # A sender that restarts begins at 0; its messages count as late for at most a second.
             if behind < SEQUENCES // 2 and now - at < 1:
                 self._vehicle.counters["late"] += 1
                 continue

@@ -19,7 +19,7 @@ class WindowedTransform {
  public:
   explicit WindowedTransform(std::size_t length)
       : window_(length), segment_(length), transform_(length / 2, false), bins_(length / 2 + 1) {
-    // Periodic, as the segments overlap: its period is the length.
+    // Periodic, because the segments overlap: the period is the length.
     for (std::size_t i = 0; i < length; ++i) {
       const double turn = static_cast<double>(i) / static_cast<double>(length);
       window_[i] = 0.5 - 0.5 * std::cos(2 * std::numbers::pi * turn);
@@ -35,7 +35,7 @@ class WindowedTransform {
         std::accumulate(samples.begin(), samples.end(), 0.0) / static_cast<double>(samples.size());
     for (std::size_t i = 0; i < samples.size(); ++i) segment_[i] = (samples[i] - mean) * window_[i];
     transform_.transform_real(segment_.data(), bins_.data());
-    // KissFFT has the real values of the first and the last bin in one number.
+    // KissFFT packs the real values of the first and the last bin into one number.
     bins_.back() = bins_.front().imag();
     bins_.front() = bins_.front().real();
     return bins_;
@@ -52,7 +52,7 @@ bool is_complete(std::span<const double> samples) {
   return std::all_of(samples.begin(), samples.end(), [](double x) { return std::isfinite(x); });
 }
 
-/// Starts of the segments in a number of samples.
+/// Returns the starts of the segments in a number of samples.
 std::vector<std::size_t> segment_starts(std::size_t samples, std::size_t length) {
   std::vector<std::size_t> starts;
   if (length < 2 || length % 2 != 0) return starts;
@@ -61,8 +61,8 @@ std::vector<std::size_t> segment_starts(std::size_t samples, std::size_t length)
   return starts;
 }
 
-/// The factor from a sum over segments to the density of bin k: the bins between the first and the
-/// last one stand for the negative frequencies, too.
+/// Returns the factor from a sum over segments to the density of bin k: the bins between the first
+/// and the last one also stand for the negative frequencies.
 double bin_scale(std::size_t bin, std::size_t last, double scale) {
   return bin == 0 || bin == last ? scale : 2 * scale;
 }
@@ -145,11 +145,11 @@ CrossSpectrum cross_spectrum(std::span<const double> input, std::span<const doub
 
 namespace {
 
-/// Segments that overlap by half share a part of their samples: so many of them, under a Hann
-/// window, average as well as one of those that do not overlap.
+/// Segments that overlap by half share some of their samples: with a Hann window, this many of them
+/// average as well as one that does not overlap.
 constexpr double overlapping = 1 + 2.0 / 36;
 
-/// The phase of a coherence below this is noise, which does not tell turns.
+/// With a coherence below this, the phase is noise and must not be unwrapped.
 constexpr double least_coherence = 0.5;
 
 /// Returns the deviation of a response, as a share of it.
@@ -160,7 +160,7 @@ double deviation_of(double coherence, std::size_t segments) {
   return std::sqrt(variance) * (1 + 1.25 / freedom);
 }
 
-/// Returns the angle of a number in degrees, the one nearest to `last`.
+/// Returns the angle of a number in degrees, choosing the turn nearest to `last`.
 double degrees_near(std::complex<double> number, double last) {
   const double angle = std::arg(number) * 180 / std::numbers::pi;
   return angle + 360 * std::round((last - angle) / 360);
@@ -178,7 +178,7 @@ FrequencyResponse frequency_response(std::span<const double> input, std::span<co
   result.segments = spectrum.input.segments;
   if (result.segments == 0) return result;
   double last_phase = 0;
-  // The means of the segments are removed, and with them what is at 0 Hz.
+  // The means of the segments are removed, so there is no information at 0 Hz.
   for (std::size_t bin = 1; bin < spectrum.cross.size(); ++bin) {
     const double frequency = static_cast<double>(bin) * result.resolution;
     const double in = spectrum.input.density[bin];

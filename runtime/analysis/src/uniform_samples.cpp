@@ -16,7 +16,7 @@ void UniformSamples::add(std::int64_t number, const Axes<double>& values) {
 void UniformSamples::add_at(std::uint16_t clock_ms, const Axes<double>& values) {
   if (!samples_.empty()) since_ms_ += static_cast<std::uint16_t>(clock_ms - clock_ms_);
   clock_ms_ = clock_ms;
-  // The first sample may be off, too: the phase follows all of them.
+  // The first sample may be late or early, too: the phase follows all of them.
   const double interval_ms = 1000 * interval_;
   const std::int64_t number = std::llround((since_ms_ - phase_ms_) / interval_ms);
   constexpr double share = 0.1;

@@ -11,7 +11,7 @@ namespace sbgc::analysis {
 
 namespace {
 
-/// The bins to each side over which the window of the spectrum spreads one frequency.
+/// The number of bins to each side over which the window spreads one frequency.
 constexpr std::size_t spread = 2;
 
 double median_of(std::vector<double> values) {
@@ -20,8 +20,8 @@ double median_of(std::vector<double> values) {
   return *middle;
 }
 
-/// Returns how far the top of a parabola through the logarithms of three values is from the second,
-/// -0.5 to 0.5.
+/// Returns the offset, -0.5 to 0.5, of the top of a parabola through the logarithms of three
+/// values, relative to the second one.
 double top_of(double before, double at, double after) {
   const double a = std::log(before);
   const double b = std::log(at);
@@ -43,7 +43,7 @@ Vibration vibration_of(std::span<const double> samples, double rate) {
   const auto bin = [&](double frequency) {
     return static_cast<std::size_t>(std::max(0.0, frequency / spectrum.resolution));
   };
-  // The first one beside 0 Hz also has what the mean of a segment leaves of slow motion.
+  // The first bin after 0 Hz also contains the residual slow motion of a segment.
   const std::size_t first = std::max<std::size_t>(bin(slowest_vibration) + 1, 2);
   const std::size_t last = std::min(bin(highest_share * rate), density.size() - 1);
   if (last < first + 2 * spread) return {};
@@ -74,7 +74,7 @@ Vibration vibration_of(std::span<const double> samples, double rate) {
 
 namespace {
 
-/// The frequencies that appear at `seen` in samples at this rate, ascending.
+/// Returns the frequencies that appear at `seen` in samples at this rate, ascending.
 std::vector<double> candidates_of(double seen, double rate) {
   std::vector<double> found{seen};
   for (double turn = rate; turn - seen <= fastest_vibration; turn += rate) {
@@ -84,12 +84,12 @@ std::vector<double> candidates_of(double seen, double rate) {
   return found;
 }
 
-/// True unless the vibration would show the frequency and does not.
+/// False if the vibration would show the frequency but does not.
 bool permits(const Vibration& vibration, double frequency, const Peak& peak, double resolution) {
   const double seen = alias_of(frequency, vibration.rate);
   const double tolerance = (vibration.resolution + resolution) / 2;
   if (seen < vibration.slowest + tolerance || seen > vibration.fastest - tolerance) return true;
-  // The same motion, but its strength may vary.
+  // It is the same motion, but its strength may vary.
   constexpr double least_share = 0.5;
   return std::any_of(vibration.peaks.begin(), vibration.peaks.end(), [&](const Peak& other) {
     return std::abs(other.frequency - seen) <= tolerance &&

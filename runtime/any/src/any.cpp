@@ -18,13 +18,13 @@ namespace sbgc::detail {
 
 namespace {
 
-/// Walks along a path by the tables, past the other values. The offset of the leaf is not known.
+/// Walks along a path using the tables, skipping other values. The offset of the leaf is unknown.
 class LeafFinder : LeafWalk {
  public:
   LeafFinder(std::string_view path, Use use, void* user, const Availability& versions)
       : LeafWalk(use, user, versions), steps_(path) {}
 
-  /// Uses the value at the path. Returns false if the message has none.
+  /// Uses the value at the path. Returns false if the message does not have it.
   bool find(const StructTable& table, const void* message) {
     table_ = &table;
     message_ = message;
@@ -102,7 +102,7 @@ class LeafFinder : LeafWalk {
   std::size_t count_ = 0;
 };
 
-/// Compares messages as operator== of them does, which compares real numbers as such.
+/// Compares messages like their operator==, which compares real numbers as such.
 bool are_equal(const StructTable& table, const void* a, const void* b) noexcept;
 
 bool are_equal(const ValueType& type, const void* a, const void* b) noexcept {
@@ -162,7 +162,7 @@ class Tail {
   }
   void assign(std::span<const std::uint8_t> bytes) noexcept {
     detail::resize(type_, at_, bytes.size());
-    if (bytes.empty()) return;  // memcpy() takes no null pointer
+    if (bytes.empty()) return;  // memcpy() does not accept null pointers
     std::memcpy(detail::moved(at_, type_.begin), bytes.data(), bytes.size());
   }
 
@@ -189,7 +189,7 @@ AnyMessage::AnyMessage(const MessageType& type, const void* message)
     : type_(&type), memory_(std::make_unique<std::byte[]>(type.memory)) {
   const detail::AnyOperations& operations = *type.operations;
   std::memcpy(memory_.get(), message, operations.size);
-  // There, in the padding of the message, the surplus may begin.
+  // The surplus may begin there, in the padding of the message.
   if (operations.takes_surplus) Tail(operations.table->tail, memory_.get()).assign({});
 }
 
@@ -197,7 +197,7 @@ AnyMessage::AnyMessage(const AnyMessage& other) : AnyMessage(*other.type_) {
   std::memcpy(memory_.get(), other.memory_.get(), type_->memory);
 }
 
-// With surplus, these do what the functions for WithSurplus<M> do.
+// With surplus, these behave like the functions for WithSurplus<M>.
 
 Status AnyMessage::decode(std::span<const std::uint8_t> body, const Contexts& contexts) noexcept {
   const detail::AnyOperations& operations = *type_->operations;
@@ -269,7 +269,7 @@ std::string AnyMessage::to_json(Secrets secrets) const {
 JsonResult AnyMessage::from_json(std::string_view text) {
   const AnyMessage read(*type_);
   JsonResult result = detail::read_json(text, table(), read.memory_.get());
-  // In place: what get_if() has returned stays valid.
+  // In place, so that pointers returned by get_if() remain valid.
   if (result) std::memcpy(memory_.get(), read.memory_.get(), type_->memory);
   return result;
 }

@@ -19,8 +19,8 @@
 namespace sbgc::detail {
 namespace {
 
-/// Walks along a path, adds what is missing on the way, and sets the value at its end; the value of
-/// a list is its size. Without a value, it only adds what is missing, removes what is at the end,
+/// Walks along a path, adds missing fields on the way, and sets the value at its end; the value of
+/// a list is its size. Without a value, it only adds what is missing, removes the field at the end,
 /// or finds it.
 class FieldSetter {
  public:
@@ -29,7 +29,7 @@ class FieldSetter {
   FieldSetter(std::string_view path, const AnyValue* value, End end = End::set)
       : steps_(path), value_(value), end_(end) {}
 
-  /// Returns true if the message has the field, and the field takes the value.
+  /// Returns true if the message has the field, and the field accepts the value.
   bool set(const StructTable& table, void* message) {
     members(table, message);
     return is_done_;
@@ -111,7 +111,7 @@ class FieldSetter {
     value(*type.element, at);
   }
 
-  /// True if the path ends here, and nothing else is asked.
+  /// True if the path ends here, and finding it is the only goal.
   bool is_found() {
     is_done_ = is_done_ || (steps_.is_end() && end_ == End::find);
     return is_done_;
@@ -138,7 +138,7 @@ namespace sbgc {
 
 namespace {
 
-/// Returns the type of the field at a path; null if there is none. Indices may be any.
+/// Returns the type of the field at a path; null if there is none. Indices are not checked.
 const FieldType* type_at(const std::vector<FieldType>& fields, std::string_view path) {
   const std::vector<FieldType>* members = &fields;
   const FieldType* at = nullptr;

@@ -116,7 +116,7 @@ const std::vector<FieldType>& MessageType::fields() const {
   if (made != nullptr) return *made;
   auto own = std::make_unique<const std::vector<FieldType>>(
       detail::members_of(*operations->table, make().address()));
-  // Another thread may have made them, too.
+  // Another thread may have made them at the same time.
   if (!field_types->compare_exchange_strong(made, own.get())) return *made;
   return *own.release();
 }

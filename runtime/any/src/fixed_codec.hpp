@@ -1,4 +1,4 @@
-/// The codec of messages whose bodies all have the same members, by their tables.
+/// A table-driven codec for messages whose bodies all have the same members.
 #pragma once
 
 #include <array>
@@ -27,7 +27,7 @@ constexpr std::size_t size_in_memory(RawType raw) noexcept {
   return is_integer24_raw(raw) ? 4 : size_on_wire(raw);
 }
 
-/// Collects the runs of a message. Without a place, only counts them.
+/// Collects the runs of a message. Without a destination, only counts them.
 struct RunFinder {
   Run* runs{};
   std::size_t count{};

@@ -1,4 +1,4 @@
-// All that is compiled for each message: the only such file of the library.
+// Everything that is compiled for each message; no other file of the library is.
 
 #include <array>
 #include <type_traits>
@@ -14,7 +14,7 @@ namespace sbgc {
 
 namespace {
 
-// Not lambdas: compilers make two functions of each that becomes a pointer.
+// Not lambdas: compilers make two functions of each one that is converted to a pointer.
 
 template <class M>
 Status decode_as(const detail::AnyOperations& /*of*/, std::span<const std::uint8_t> body,

@@ -9,7 +9,7 @@
 
 namespace sbgc::detail {
 
-/// Takes one step after the other.
+/// Parses one step after the other.
 class PathSteps {
  public:
   explicit PathSteps(std::string_view path) : rest_(path) {}

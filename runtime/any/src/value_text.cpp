@@ -62,7 +62,7 @@ std::optional<Measure> measure_of(std::string_view text) {
   return Measure{number, trimmed(text.substr(size))};
 }
 
-/// True if a user means this unit: "°/s" for "deg/s", "bytes" for "byte".
+/// True if the text denotes this unit: "°/s" for "deg/s", "bytes" for "byte".
 bool is_unit(std::string_view text, std::string_view unit) {
   std::string plain(text);
   const auto replace = [&](std::string_view from, std::string_view to) {
@@ -82,14 +82,14 @@ std::string in_unit(double raw, const UnitInfo* unit) {
   return text_of([&](TextOutput& out) { detail::put_limit(out, raw, unit); });
 }
 
-/// Returns the nearest names, or all if there are few.
+/// Returns the nearest names, or all of them if there are few.
 std::string near_or_all(std::string_view word, const std::vector<std::string>& known) {
   constexpr std::size_t few = 12;
   const bool is_short = !known.empty() && known.size() <= few;
   return did_you_mean(nearest(word, known), is_short ? "use " + alternatives(known, false) : "");
 }
 
-/// Returns the length of what all names begin with, up to an underscore.
+/// Returns the length of the common prefix of all names, up to an underscore.
 std::size_t common_prefix(const EnumInfo& info) {
   if (info.values.size() < 2) return 0;
   std::string_view common = info.values.front().name;
@@ -102,7 +102,7 @@ std::size_t common_prefix(const EnumInfo& info) {
   return common.rfind('_') + 1;
 }
 
-/// Returns the value with this name, also without what all names begin with.
+/// Returns the value with this name, whose common prefix may be omitted.
 std::optional<std::int64_t> value_named(const EnumInfo& info, std::string_view word) {
   const std::size_t prefix = common_prefix(info);
   for (const ValueInfo& value : info.values) {
@@ -122,7 +122,7 @@ std::uint64_t bits_of(const FieldType& type) {
   return type.size >= 8 ? ~std::uint64_t{0} : (std::uint64_t{1} << (8 * type.size)) - 1;
 }
 
-/// Gives the bits of an integer of the wire their sign.
+/// Sign-extends the bits of a raw integer.
 std::int64_t with_sign(const FieldType& type, std::uint64_t bits) {
   if (bits > static_cast<std::uint64_t>(type.highest)) bits |= ~bits_of(type);
   return static_cast<std::int64_t>(bits);
@@ -132,7 +132,7 @@ std::string counted(std::size_t number, const char* thing) {
   return std::to_string(number) + ' ' + thing + (number == 1 ? "" : "s");
 }
 
-/// Returns what a person wrote, as shown in a message.
+/// Returns the user's text as shown in a message.
 std::string shown(std::string_view text) {
   constexpr std::size_t longest = 1000;
   const std::string result = without_controls(text.substr(0, longest));
@@ -140,7 +140,7 @@ std::string shown(std::string_view text) {
 }
 std::string quoted(std::string_view text) { return '\'' + shown(text) + '\''; }
 
-/// Parses one value. After the first problem, results have no meaning.
+/// Parses one value. After the first problem, results are meaningless.
 class ValueParser {
  public:
   ValueParser(const FieldType& type, const UnitInfo* unit, std::uint64_t present)
@@ -184,7 +184,7 @@ class ValueParser {
     if (unit_ != nullptr && !unit_->is_plain()) return quantity(text);
     const auto number = on_wire(text);
     const auto measure = number ? std::nullopt : measure_of(text);
-    // The number of a percentage is another value.
+    // The number of a percentage is a different value.
     if (measure && !measure->rest.empty() && measure->rest != "%") {
       const auto size = text.size() - measure->rest.size();
       fail("it has no unit: write " + std::string(trimmed(text.substr(0, size))));
@@ -192,7 +192,7 @@ class ValueParser {
     return fitting(text, number);
   }
 
-  /// Reads an integer of the wire; of an unsigned one of 64 bits, the bits.
+  /// Parses a raw integer; for an unsigned one of 64 bits, returns the bits.
   std::optional<std::int64_t> on_wire(std::string_view text) const {
     if (type_.is_wide) {
       if (const auto number = parse_number<std::uint64_t>(text)) {
@@ -205,7 +205,7 @@ class ValueParser {
   /// Fails if the wire cannot carry the integer.
   std::int64_t fitting(std::string_view text, std::optional<std::int64_t> raw) {
     if (!raw) return fail(quoted(text) + " is not an integer"), 0;
-    // It has the bits of an unsigned integer of 64 bits.
+    // It holds the bits of an unsigned 64-bit integer.
     const bool fits =
         type_.is_wide ? !text.starts_with('-') : *raw >= type_.lowest && *raw <= type_.highest;
     if (!fits) {
@@ -229,7 +229,7 @@ class ValueParser {
       fail(has_name ? quoted(measure->rest) + " is not its unit, which is " + unit.name
                     : "it has no unit");
     }
-    // A sentinel, such as 21000 for a pause, is written as the number on the wire.
+    // A sentinel, such as 21000 for a pause, is written as a raw number.
     if (measure->rest.empty()) {
       for (const Special& special : specials()) {
         if (static_cast<double>(special.value) == measure->number) return special.value;
@@ -246,7 +246,7 @@ class ValueParser {
     const auto highest = type_.is_wide
                              ? static_cast<double>(std::numeric_limits<std::uint64_t>::max())
                              : static_cast<double>(type_.highest);
-    // Rounded to a double, the highest integer of 64 bits is one larger.
+    // Rounded to a double, the highest 64-bit integer is too large by one.
     if (raw < lowest || raw > highest || (type_.size == 8 && raw == highest)) {
       fail(shown(text) + " does not fit: " + in_unit(lowest, &unit) + " to " +
            in_unit(highest, &unit));

@@ -66,7 +66,7 @@ class AsyncClient::Links {
     return link_;
   }
 
-  /// Closes the link, and ends connect(). Returns how often it has been called.
+  /// Closes the link, and ends connect(). Returns how many times it has been called.
   std::uint64_t end() noexcept {
     detail::Conversation dialling;
     Link link;
@@ -85,7 +85,7 @@ class AsyncClient::Links {
  private:
   static ClientError closed_meanwhile() { return {ErrorCode::cancelled, "the client was closed"}; }
   /// Makes this the link, and returns the previous one in its place, unless end() has been called
-  /// since. Returns whether it has done so.
+  /// since. Returns whether it did so.
   bool swap(Link& link, std::uint64_t attempt) {
     const std::lock_guard lock(mutex_);
     if (attempt != ends_) return false;

@@ -118,7 +118,7 @@ ClientError to_client_error(const io::Error& error) {
   return {code, without_period(error.message), is_from_system ? error.code.value() : 0};
 }
 
-/// For example "115200 8N1: 312 bytes, no valid frames".
+/// Returns, for example, "115200 8N1: 312 bytes, no valid frames".
 std::string text_of(const Trial& trial) {
   std::string text = io::to_string(trial.line) + ": " + std::to_string(trial.bytes) + " bytes, ";
   if (trial.good_frames == 0) return text + "no valid frames";
@@ -145,8 +145,8 @@ std::string tried(std::span<const Trial> trials) {
   return text + (heard.empty() ? "; received nothing" : "; received at " + heard);
 }
 
-/// The part of the time for connecting that is kept for closing the line again: the thread of the
-/// line closes it, and both threads may have to wait for a processor.
+/// The part of the connection timeout that is reserved for closing the line again: the thread of
+/// the line closes it, and both threads may have to wait for a processor.
 constexpr std::chrono::milliseconds closing_time(std::chrono::milliseconds timeout) {
   return std::min(timeout / 10, std::chrono::milliseconds(200));
 }
@@ -225,7 +225,7 @@ class Connector {
     return std::chrono::milliseconds(std::max<std::int64_t>(duration.us / 1000, 1));
   }
 
-  /// Asks the board to introduce itself, with the password if there is one.
+  /// Requests the board's introduction, with the password if there is one.
   Result<roles::Introduction> open_port() {
     if (!options_.password) return ask(roles::IntroductionRequest{});
     const auto request = opening_request(*options_.password);

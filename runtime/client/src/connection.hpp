@@ -1,5 +1,4 @@
-/// A client's link that ends with its line, and how it begins: from an address to an identified
-/// board.
+/// A client's link that ends with its line, and its setup: from an address to an identified board.
 #pragma once
 
 #include <chrono>
@@ -59,7 +58,7 @@ class Connection final : public Link, public std::enable_shared_from_this<Connec
   RunningTasks tasks_;
 };
 
-/// How a client obtains its transport; `open` may block for at most `timeout`.
+/// Opens the transport of a client; `open` may block for at most `timeout`.
 struct Opener {
   std::function<io::OpenResult(const asio::any_io_executor& executor,
                                std::chrono::milliseconds timeout)>
@@ -78,7 +77,7 @@ using OnStarted = std::function<void(const Conversation&)>;
 Result<Conversation> connect(const asio::any_io_executor& executor, const Opener& opener,
                              const ConnectOptions& options, const OnStarted& on_begun = {});
 
-/// Connects with an I/O thread of its own; see connect().
+/// Connects with its own I/O thread; see connect().
 Result<std::shared_ptr<Connection>> connect_with_thread(const Opener& opener,
                                                         const ConnectOptions& options,
                                                         const OnStarted& on_begun = {});

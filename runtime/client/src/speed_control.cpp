@@ -23,7 +23,7 @@
 
 namespace sbgc::detail {
 
-/// A held speed that threads share.
+/// A held speed that is shared between threads.
 class SharedSpeed final : public HeldSpeed {
  public:
   SharedSpeed(const DeadMansSwitch& rules, Order order)
@@ -61,7 +61,7 @@ namespace sbgc {
 
 using detail::DeadMansSwitch;
 
-/// The end of the task, and the functions that wait for it.
+/// The result of the task, and the functions that wait for it.
 class SpeedControl::End {
  public:
   using Done = std::function<void(const Result<void>&)>;
@@ -80,7 +80,7 @@ class SpeedControl::End {
       const std::scoped_lock lock(mutex_);
       if (!result_) return waiting_.push_back(std::move(done));
     }
-    done(*result_);  // does not change any more
+    done(*result_);  // no longer changes
   }
 
  private:
@@ -89,7 +89,7 @@ class SpeedControl::End {
   std::vector<Done> waiting_{};
 };
 
-/// Drives the task: on a thread of its own or, with an executor, there.
+/// Drives the task: on its own thread or, with an executor, there.
 class SpeedControl::Worker {
  public:
   Worker(detail::Connection& connection, const SpeedControlOptions& options,

@@ -1,4 +1,4 @@
-/// What clients with threads need: a lock, and a way to wait for a value from another thread.
+/// Threading primitives of clients: a lock, and waiting for a value from another thread.
 #pragma once
 
 #include <chrono>

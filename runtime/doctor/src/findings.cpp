@@ -145,7 +145,7 @@ class Judge {
            .command = "sbgc calibrate battery --voltage VOLTS"});
       return;
     }
-    // The worst one that applies. A negative threshold is none.
+    // The most severe one that applies. A negative threshold is unused.
     std::string limit;
     if (measured_.parameters && volts > 0) {
       const auto is_below = [&](msg::VoltageThreshold one) {

@@ -18,7 +18,7 @@ namespace sbgc::doctor {
 
 namespace {
 
-/// A data stream of the gyroscope alone, whose samples are short.
+/// A data stream that contains only the gyroscope, so that samples are short.
 class GyroStream {
  public:
   explicit GyroStream(TaskMachine& task) : task_(task) {}
@@ -26,8 +26,8 @@ class GyroStream {
   GyroStream& operator=(const GyroStream&) = delete;
   ~GyroStream() { task_.end(id_); }
 
-  /// Starts it with one of these intervals, the shortest that the line carries. Returns false if
-  /// there is none.
+  /// Starts it with the shortest of these intervals that the line can carry. Returns false if there
+  /// is none.
   Task<Result<bool>> start(std::span<const int> intervals_ms) {
     for (const int interval_ms : intervals_ms) {
       samples_.emplace(1e-3 * interval_ms);
@@ -47,7 +47,7 @@ class GyroStream {
     }
     co_return false;
   }
-  /// Takes the samples that have arrived.
+  /// Collects the samples that have arrived.
   void take() {
     for (const auto& body : task_.take_series(id_)) {
       msg::RealtimeDataCustom data;
@@ -81,7 +81,7 @@ class Measuring {
     start_ = task_.now();
     const Result<void> sampled = co_await sample();
     if (!sampled && !is_silence(sampled)) co_return sampled.error();
-    // A line that loses answers tells less, but its counters tell that.
+    // With lost answers there is less information, but the counters of the line show that.
     if (result_.seconds == 0) co_return sampled ? silence_ : sampled.error();
     co_return std::move(result_);
   }
@@ -101,9 +101,9 @@ class Measuring {
     co_return Result<void>();
   }
 
-  /// Reads what does not change. An answer that is missing is not needed.
+  /// Reads constant information. Missing answers are not needed.
   Task<Result<void>> read_state() {
-    constexpr int attempts = 3;  // a noisy line may lose all repetitions of a call
+    constexpr int attempts = 3;  // on a noisy line, all repetitions of a call may be lost
     auto live = co_await tasks::call(msg::RealtimeData3Request{});
     for (int i = 1; i < attempts && is_silence(live); ++i) {
       live = co_await tasks::call(msg::RealtimeData3Request{});
@@ -147,7 +147,7 @@ class Measuring {
     co_return true;
   }
 
-  /// Takes the newest live data that the board has.
+  /// Adds the newest kind of live data that the board has.
   Task<Result<void>> add_live_data() {
     if (is_supported<msg::RealtimeData4Request>(task_.identity().versions())) {
       const auto data = co_await tasks::call(msg::RealtimeData4Request{});
@@ -166,7 +166,7 @@ class Measuring {
     return ClientError{ErrorCode::cancelled, "interrupted: measuring"};
   }
 
-  /// While a stream has the gyroscope, until `end`. Answers may be missing.
+  /// Polls live data until `end`, while a stream samples the gyroscope. Answers may be missing.
   Task<Result<void>> ask_slowly(GyroStream& stream, Duration end) {
     constexpr Duration pause = milliseconds(100);
     while (task_.now() - start_ < end) {
@@ -180,7 +180,7 @@ class Measuring {
     co_return Result<void>();
   }
 
-  /// Asks for the shorter live data, at one rate and then at another.
+  /// Polls the shorter live data, at one rate and then at another.
   Task<Result<void>> use_requests() {
     result_.sampling = Sampling::polls;
     constexpr int few = 5;
@@ -191,7 +191,7 @@ class Measuring {
     Result<analysis::UniformSamples> samples = co_await poll_often(ask, half());
     if (!samples) co_return samples.error();
     result_.gyro = *std::move(samples);
-    // A quarter longer.
+    // Longer by a quarter.
     const Duration interval = microseconds(std::llround(1.25e6 / result_.gyro->rate()));
     samples = co_await poll_at(ask, interval, half());
     if (!samples) co_return samples.error();
@@ -209,7 +209,7 @@ class Measuring {
   const MeasureOptions& options_;
   Duration time_;
   Instant start_{};
-  ClientError silence_{};  // the last answer that was missing
+  ClientError silence_{};  // the last missing answer
   Measurements result_{};
 };
 

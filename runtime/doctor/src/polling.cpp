@@ -19,7 +19,7 @@ Task<Result<Duration>> time_to_answer(Ask ask) {
   }
   std::sort(times.begin(), times.end());
   constexpr std::size_t late = 18;
-  // A quarter more, in whole milliseconds.
+  // Longer by a quarter, in whole milliseconds.
   constexpr std::int64_t shortest = 4;
   co_return milliseconds(std::max(shortest, (5 * times[late].us + 3999) / 4000));
 }

@@ -1,4 +1,4 @@
-/// The hosts that send datagrams, and their eviction.
+/// Hosts that send datagrams, and their eviction.
 #pragma once
 
 #include <algorithm>
@@ -17,24 +17,24 @@ namespace sbgc::hosts {
 /// UDP does not report that a sender has left, and anyone can send from any number of addresses.
 /// Therefore the number of places is limited, and a new host replaces the one that has been silent
 /// longest: among those that have not sent again after an answer, or else among those to which
-/// nothing was sent either for some time. A sender that found no place and tries again goes before
-/// those that send for the first time, however many they are.
+/// nothing was sent either for some time. A sender that found no place and retries takes precedence
+/// over any number of first-time senders.
 ///
-/// This is for an emulated board and a replay, whose places are few; a bridge decides itself.
+/// This is for an emulated board and a replay, which have few places; a bridge decides itself.
 class DatagramHosts {
  public:
-  /// How long a place is reserved after the first datagram from others that send for the first
-  /// time, and from all after the last datagram of a host that has sent again, or to it.
+  /// The time for which a place is protected from first-time senders after its first datagram, and
+  /// from all senders after the last datagram from or to a host that has sent again.
   static constexpr Duration safe_once = milliseconds(500);
   static constexpr Duration safe_again = seconds(5);
-  /// How long a host that has tried again, or has an answer, keeps its place to go on.
+  /// The time for which a host that has retried, or has an answer, keeps its place to continue.
   static constexpr Duration time_to_go_on = milliseconds(50);
   /// A host that has been silent for this long is removed, even if its place is not needed.
   static constexpr Duration idle_time = seconds(60);
-  /// A sender that finds no place is remembered for at least this long, at most for twice as long.
-  /// A longer memory would take new senders for earlier ones, because a machine reuses its ports.
+  /// A sender that finds no place is remembered for at least this long, at most twice as long.
+  /// Longer, new senders would be mistaken for earlier ones, because a machine reuses its ports.
   static constexpr Duration memory = seconds(1);
-  /// Unless there are more of them.
+  /// The limit for remembered senders.
   static constexpr std::size_t most_remembered = 4096;
 
   struct Host {
@@ -45,7 +45,7 @@ class DatagramHosts {
     std::optional<Instant> answered{};  ///< when something was sent to it
     bool is_known{};                    ///< it has sent again after that
 
-    /// When something was last sent by it, or to it, as to one that listens to a stream.
+    /// The time of the last datagram from or to the host, which may only listen to a stream.
     Instant last() const { return std::max(heard, answered.value_or(heard)); }
   };
 

@@ -1,4 +1,4 @@
-/// The places where hosts connect, and the ports behind them: those of an emulated board, or of a
+/// Endpoints where hosts connect, and the ports behind them: those of an emulated board, or of a
 /// bridge to a real one.
 #pragma once
 
@@ -29,30 +29,30 @@ class HostPorts {
   /// Returns the port, or nothing if all are in use. Calls `wake`, but never from inside connect(),
   /// when there may be output or room.
   virtual std::optional<std::size_t> connect(bool is_usb, std::function<void()> wake) = 0;
-  /// The host keeps its port, however silent it is.
+  /// Keeps the host's port, however silent the host is.
   virtual void keep_place(std::size_t) {}
   virtual void disconnect(std::size_t port) = 0;
-  /// The host sends no more, but still receives.
+  /// Reports that the host sends no more, but still receives.
   virtual void end_input(std::size_t port) = 0;
-  /// The baud rate of the host's side has changed; 0 if it has none.
+  /// Reports that the baud rate of the host's side has changed; 0 if it has none.
   virtual void set_host_rate(std::size_t port, std::uint32_t rate) = 0;
 
-  /// The bytes from the host that wait for execution.
+  /// Returns the number of bytes from the host that wait for execution.
   virtual std::size_t queued_bytes(std::size_t port) const = 0;
-  /// How many bytes the host may send now.
+  /// Returns the number of bytes that the host may send now.
   virtual std::size_t room(std::size_t port) const = 0;
-  /// True if nothing more is to come for this host, apart from unsolicited messages.
+  /// True if no more output is expected for this host, apart from unsolicited messages.
   virtual bool is_quiet(std::size_t port) const = 0;
-  /// True if bytes for the host were lost, or another needs its place: it gets the bytes that wait,
-  /// then it must leave.
+  /// True if bytes for the host were lost, or another host needs its place: after receiving the
+  /// waiting bytes, it must leave.
   virtual bool must_leave(std::size_t) const { return false; }
   virtual void receive(std::size_t port, std::span<const std::uint8_t> bytes) = 0;
-  /// The bytes for the host.
+  /// Returns the bytes for the host.
   virtual std::span<const std::uint8_t> output(std::size_t port) const = 0;
   /// Removes bytes that the host has received.
   virtual void take(std::size_t port, std::size_t size) = 0;
 
-  /// The time since the beginning.
+  /// Returns the time since the beginning.
   virtual Instant now() const = 0;
 
   /// Wraps the transports of hosts that connect from now on. For tests.
@@ -73,7 +73,7 @@ class Endpoint {
   virtual std::string address() const = 0;
 };
 
-/// Receives lines for the user.
+/// A callback for log lines for the user.
 using Log = std::function<void(const std::string&)>;
 
 struct EndpointLogs {

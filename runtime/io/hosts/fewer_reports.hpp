@@ -1,4 +1,4 @@
-/// Anyone can make a server refuse connections as fast as they like: that must not fill its log.
+/// Rate limiting of log lines: anyone can trigger refused connections as fast as they like.
 #pragma once
 
 #include <chrono>
@@ -8,8 +8,8 @@
 
 namespace sbgc::hosts {
 
-/// Returns a function that passes on at most five texts in a second. Not thread-safe; copies of it
-/// count on their own.
+/// Returns a function that passes on at most five texts per second. Not thread-safe; copies count
+/// separately.
 inline std::function<void(const std::string&)> with_fewer_reports(
     std::function<void(const std::string&)> report) {
   using Clock = std::chrono::steady_clock;

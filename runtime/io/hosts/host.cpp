@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t most_per_write = 4096;
 
-/// After its last byte, a host may still wait for responses: the interval of the checks whether it
+/// After its last byte, a host may still wait for responses: the interval for checking whether it
 /// has received them all.
 constexpr auto linger_for = std::chrono::milliseconds(100);
 /// A host that reads nothing for this long is disconnected.
@@ -41,7 +41,7 @@ void Host::wake() {
   if (!is_closed_ && !has_read_all_ && board_.must_leave(port_)) {
     has_read_all_ = true;
     written_at_ = io::Clock::now();
-    linger();  // not at once, because this may be a call from the board
+    linger();  // deferred, because this may be a call from the board
   }
   read();
   write();

@@ -56,7 +56,7 @@ class Host : public std::enable_shared_from_this<Host> {
   std::vector<std::uint8_t> output_{};  // being written
   bool is_reading_ = false;
   bool is_writing_ = false;
-  bool has_read_all_ = false;  // or reads no more
+  bool has_read_all_ = false;  // or has stopped reading
   bool is_closed_ = true;
 };
 

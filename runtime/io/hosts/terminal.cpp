@@ -46,7 +46,7 @@ namespace fs = std::filesystem;
 
 std::string reason(int error) { return std::generic_category().message(error); }
 
-/// Returns why the link must not be replaced; "" if it may.
+/// Returns the reason why the link must not be replaced; "" if it may be.
 std::string objection(const std::string& path, const std::string& terminal) {
   std::error_code error;
   if (!fs::is_symlink(fs::symlink_status(path, error))) return "it exists and is not a link";
@@ -149,7 +149,7 @@ class Terminal final : public Endpoint {
     if (error && error != asio::error::timed_out) {
       return warn_(fmt::format("{} no longer works: {}", path_, error.message()));
     }
-    // The program had to leave, which only the end of the terminal tells it.
+    // The program had to leave, and only notices when the terminal is closed.
     asio::post(executor_, [this] { open_again(); });
   }
 

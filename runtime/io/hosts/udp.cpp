@@ -62,7 +62,7 @@ class UdpEndpoint final : public Endpoint {
     // always fits.
     if (bytes.size() <= board_.room(port) || board_.queued_bytes(port) == 0) {
       board_.receive(port, bytes);
-      // A host that is refused at once must not fill the log.
+      // A host that is refused immediately must not fill the log.
       const bool stays = is_new && !board_.must_leave(port);
       if (stays) logs_.event(fmt::format("{} is host {}", name_of(from_), port));
       return;
@@ -130,7 +130,7 @@ class UdpEndpoint final : public Endpoint {
       board_.take(port, size);
     }
     if (!board_.must_leave(port)) return;
-    // Not at once, because this may be a call from the board.
+    // Deferred, because this may be a call from the board.
     asio::post(socket_.get_executor(), [this, endpoint] {
       const auto* const leaving = hosts_.find(endpoint);
       if (leaving == nullptr || !board_.must_leave(leaving->port)) return;

@@ -16,7 +16,7 @@ namespace sbgc::hosts {
 
 namespace {
 
-/// The methods that a page can use, and a TLS handshake, as for https.
+/// The methods that a web page can use, and the beginning of a TLS handshake for https.
 constexpr std::array<std::string_view, 10> beginnings{"GET ",     "POST ",   "PUT ",   "HEAD ",
                                                       "OPTIONS ", "DELETE ", "PATCH ", "CONNECT ",
                                                       "TRACE ",   "\x16\x03"};

@@ -1,4 +1,4 @@
-/// Keeps web pages away from a TCP port.
+/// Protects a TCP port from web pages.
 #pragma once
 
 #include <memory>
@@ -9,8 +9,8 @@
 namespace sbgc::hosts {
 
 /// Returns a transport whose read fails with is_http_request() if its first bytes are those of an
-/// HTTP or HTTPS request. Any web page can let a browser send one to this machine, with frames in
-/// its body. No byte is passed on before that is decided; no frame begins like a request.
+/// HTTP or HTTPS request. Any web page can make a browser send one to this machine, with frames in
+/// its body. No byte is passed on before this is decided; no frame begins like such a request.
 std::unique_ptr<io::Transport> without_http(std::unique_ptr<io::Transport> transport);
 
 bool is_http_request(std::error_code error);

@@ -88,7 +88,7 @@ int open_beside(const std::filesystem::path& file, std::filesystem::path& path) 
     const int opened = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
     if (opened < 0 && errno != EEXIST) return opened;
     if (opened < 0) continue;
-    // Another process that cleans up right now holds the lock and removes the file.
+    // Another process that is cleaning up holds the lock and removes the file.
     const bool is_locked = ::flock(opened, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
     if (is_locked && is_at(opened, path)) return opened;
     ::close(opened);
@@ -156,10 +156,10 @@ Result<void> write_file_atomically(const std::filesystem::path& name, std::strin
   const std::filesystem::path file = target_of(name);
   struct stat present {};
   const bool is_present = ::stat(file.c_str(), &present) == 0;
-  // Another link, which must not become a file.
+  // Another link, which must not be replaced by a file.
   if (!is_present && errno == ELOOP) return io_error("cannot write", name, ELOOP);
   if (is_present && !S_ISREG(present.st_mode)) {
-    // A device, a named pipe or a folder must not become a file.
+    // A device, a named pipe or a folder must not be replaced by a file.
     return ClientError{ErrorCode::invalid, file.string() + " is not a regular file"};
   }
   remove_leftovers(folder_of(file));

@@ -1,4 +1,4 @@
-// Parses captures. Uses nothing of the operating system, so that `sbgc decode` runs anywhere.
+// Parses captures. Independent of the operating system, so that `sbgc decode` runs anywhere.
 
 #include <algorithm>
 #include <utility>
@@ -41,7 +41,7 @@ bool is_sound(std::span<const std::uint8_t> bytes) {
 }
 
 /// Returns the position of the magic in `bytes`, or of a prefix of it at their end; their size if
-/// there is neither. If `or_record`, returns the first mark of a record before it, too.
+/// there is neither. If `or_record`, an earlier mark of a record counts as well.
 std::size_t find_start(std::span<const std::uint8_t> bytes, bool or_record) {
   for (std::size_t at = 0; at < bytes.size(); ++at) {
     if (or_record && bytes[at] == record_mark) return at;
@@ -162,7 +162,7 @@ std::optional<CaptureItem> CaptureParser::incomplete() {
 
 void CaptureParser::begin_damage(CaptureDamage::Reason reason) {
   damage_ = CaptureDamage{reason, offset_, {}};
-  // A file that does not begin as a capture has no sessions.
+  // A file that does not begin like a capture has no sessions.
   advance(reason == Reason::not_a_capture ? rest().size() : 1);
 }
 

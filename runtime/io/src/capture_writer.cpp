@@ -70,7 +70,7 @@ Error CaptureWriter::open(const std::string& path, Clock::time_point now) {
   start_ = now;
   struct stat present {};
   if (::stat(path.c_str(), &present) == 0 && S_ISFIFO(present.st_mode)) return open_pipe();
-  // Non-blocking, so that a pipe that just came does not block the program.
+  // Non-blocking, so that a pipe that has just been created does not block the program.
   fd_ = ::open(path.c_str(), O_RDWR | O_APPEND | O_CREAT | O_CLOEXEC | O_NONBLOCK, 0666);
   if (fd_ < 0) return fail(errno);
   if (flock(fd_, LOCK_EX | LOCK_NB) != 0) {
@@ -87,7 +87,7 @@ Error CaptureWriter::open(const std::string& path, Clock::time_point now) {
     return error_ = {Errc::not_a_capture,
                      path + " exists and is not " + kind + "; it was not changed."};
   }
-  // A full disk can leave a part of the first header, without which nothing would be a capture.
+  // A full disk can leave a partial first header, after which the file would not be a capture.
   if (size > 0 && may_become_own(found) && ftruncate(fd_, 0) != 0) {
     return fail(errno);
   }
@@ -95,7 +95,7 @@ Error CaptureWriter::open(const std::string& path, Clock::time_point now) {
   return error_;
 }
 
-/// Opens a named pipe for writing alone: this program must not count as its reader.
+/// Opens a named pipe for writing only: this program must not count as its reader.
 Error CaptureWriter::open_pipe() {
   fd_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK);
   if (fd_ < 0 && errno == ENXIO) {
@@ -193,7 +193,7 @@ bool CaptureWriter::put(std::span<const std::uint8_t> bytes) {
   if (error_) return false;
   while (!bytes.empty()) {
     if (may_wait_ && !wait_for_reader()) return false;
-    // A write that a pipe has room for does not block, so only wait_for_reader() waits.
+    // A write that fits into the pipe does not block, so only wait_for_reader() waits.
     const std::size_t most = may_wait_ ? PIPE_BUF : bytes.size();
     const ssize_t size = ::write(fd_, bytes.data(), std::min(bytes.size(), most));
     if (size < 0 && errno == EINTR) continue;

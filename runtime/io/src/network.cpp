@@ -228,7 +228,7 @@ class UdpTransport final : public detail::StreamTransport<DatagramStream> {
   std::string place_;
 };
 
-/// Takes over a socket; returns nothing if it is of another protocol or not connected.
+/// Takes over a socket; returns nothing if it has another protocol or is not connected.
 template <class Transport, class Socket>
 std::unique_ptr<Transport> take_over(const asio::any_io_executor& executor, int descriptor) {
   typename Socket::endpoint_type peer;
@@ -255,7 +255,7 @@ OpenResult open_tcp(const asio::any_io_executor& executor, const std::string& ho
   tcp::socket socket(executor);
   std::error_code error;
   for (std::size_t left = addresses.size(); left > 0; --left) {
-    // An address that does not answer must not use up the time of the remaining ones.
+    // An unresponsive address must not use up the time of the remaining ones.
     const auto now = Clock::now();
     const auto share = now + (deadline - now) / static_cast<Clock::rep>(left);
     error = connect(socket, {addresses[addresses.size() - left], port}, share);

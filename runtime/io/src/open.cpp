@@ -69,7 +69,7 @@ std::string split_options(std::string_view text, const char* known, Take take) {
   return path;
 }
 
-/// Refuses "COM3", "COM3:" and "\\\\.\\COM3", in any case.
+/// Rejects "COM3", "COM3:" and "\\\\.\\COM3", in any case.
 void reject_port_of_windows(std::string_view path) {
   if (path.starts_with(R"(\\.\)")) path.remove_prefix(4);
   if (path.ends_with(':')) path.remove_suffix(1);
@@ -153,7 +153,7 @@ std::string kind_names() {
   return result;
 }
 
-/// Says what to write in place of an address without a known kind.
+/// Throws a hint at the correct form of an address without a known kind.
 [[noreturn]] void fail_without_kind(std::string_view text) {
   const std::string given(text);
   const std::size_t colon = text.find(':');
@@ -172,13 +172,13 @@ std::string kind_names() {
       text.find(':', colon + 1) != std::string_view::npos;
   if (text.starts_with('[') || is_ipv6 || is_number(text.substr(colon + 1))) {
     TcpAddress ignored;
-    parse_rest(text, ignored);  // says what else is wrong
+    parse_rest(text, ignored);  // reports other errors
     throw Malformed{"the kind is missing; write tcp:" + given + " or udp:" + given};
   }
   throw Malformed{"unknown kind " + quoted(text.substr(0, colon)) + "; kinds are " + kind_names()};
 }
 
-/// Parses what follows the kind, if it is that of T.
+/// Parses the rest after the kind, if it is that of T.
 template <class T>
 bool parse_kind(std::string_view kind, std::string_view rest, Address& result) {
   if (kind != T::kind.name) return false;

@@ -22,7 +22,7 @@ namespace sbgc::io {
 
 namespace {
 
-/// Bytes from the board, and their time from the start of the file.
+/// Bytes from the board, and their time since the start of the file.
 struct Piece {
   CaptureTime time{};
   std::vector<std::uint8_t> bytes{};
@@ -129,7 +129,7 @@ class Player : public std::enable_shared_from_this<Player> {
     ++writes_;
     if (!start_) start_ = Clock::now();
     if (waits_ && writes_ == piece_.writes) be_asked();
-    timer_.cancel();  // what waits may be due now
+    timer_.cancel();  // a waiting piece may be due now
     complete(std::move(handler), {}, bytes.size());
   }
 
@@ -153,10 +153,10 @@ class Player : public std::enable_shared_from_this<Player> {
 
   bool is_asked() const { return !waits_ || writes_ >= piece_.writes; }
 
-  /// What was written late delays what follows.
+  /// A late write delays the following pieces.
   void be_asked() { start_ = std::max(*start_, Clock::now() - played(piece_.last_write)); }
 
-  /// Returns when the piece comes, or if it is not asked for, when it no longer waits for that.
+  /// Returns when the piece is due, or without a request for it, when it no longer waits for one.
   Clock::time_point due() const {
     if (is_asked()) return *start_ + played(piece_.time);
     return *start_ + played(piece_.last_write) + longest_wait;
@@ -168,7 +168,7 @@ class Player : public std::enable_shared_from_this<Player> {
         [self = shared_from_this(), into, handler = std::move(handler)](std::error_code) mutable {
           if (self->closed_) return handler(asio::error::operation_aborted, 0);
           if (!self->is_asked() && self->due() <= Clock::now()) {
-            self->waits_ = false;  // this program asks for something else
+            self->waits_ = false;  // this program sends something else
             self->be_asked();
           }
           if (self->due() > Clock::now()) return self->wait(into, std::move(handler));
@@ -195,7 +195,7 @@ class Player : public std::enable_shared_from_this<Player> {
 
   ReplayTiming timing_;
   double speed_;
-  bool waits_;  // for what is written
+  bool waits_;  // for writes of the program
   std::size_t writes_ = 0;
   Source source_;
   Piece piece_;

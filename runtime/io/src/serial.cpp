@@ -89,7 +89,7 @@ class SerialTransport final : public detail::StreamTransport<Stream>, private Li
   LineSettings settings_;
 };
 
-/// Calls `take` with each entry of a folder until it returns true. Skips what cannot be read.
+/// Calls `take` with each entry of a folder until it returns true. Skips unreadable entries.
 template <class Take>
 bool find_entry(const fs::path& folder, Take take) {
   std::error_code error;

@@ -17,7 +17,7 @@ struct StandardRate {
   tcflag_t flag;
 };
 
-/// The rates with their own constant, which other programs handle better than BOTHER.
+/// The rates that have a constant, which other programs handle better than BOTHER.
 constexpr std::array<StandardRate, 18> standard_rates{{{9600, B9600},
                                                        {19200, B19200},
                                                        {38400, B38400},
@@ -65,7 +65,7 @@ LineSettings line_of(const termios2& settings) {
 }
 
 /// Returns true if a rate is within 2 % of the wanted one, which a UART tolerates. Drivers report
-/// the rate that the hardware actually uses.
+/// the actual rate of the hardware.
 bool is_near(std::uint32_t rate, std::uint32_t wanted) {
   return std::llabs(std::int64_t{rate} - std::int64_t{wanted}) * 50 <= std::int64_t{wanted};
 }

@@ -1,4 +1,4 @@
-/// The terminal settings of the kernel, behind an interface that can be included with Asio: its
+/// The terminal settings of the kernel, with an interface that is compatible with Asio, whose
 /// headers include <termios.h>, which conflicts with the kernel's termios2.
 #pragma once
 

@@ -1,12 +1,12 @@
-# Runs in cpack when the files of each package are in its folder: adds the documents that Debian requires,
-# and compresses the manual pages. The times are those of SOURCE_DATE_EPOCH.
+# Runs in cpack when the files of each package are in its folder: adds the documents that Debian
+# requires, and compresses the manual pages. All times are those of SOURCE_DATE_EPOCH.
 
 cmake_policy(VERSION 3.25)
 set(version "${CPACK_PACKAGE_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}")
 set(maintainer "${CPACK_PACKAGE_CONTACT}")
 string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
 
-# The text of the license in the format of Debian's copyright files.
+# The license text in the format of Debian's copyright files.
 file(READ "${CPACK_SBGC_SOURCE_DIR}/LICENSE" license)
 string(REGEX MATCH "Copyright \\(c\\) ([^\n]*)\n\n(.*)" license "${license}")
 set(holder "${CMAKE_MATCH_1}")

@@ -15,7 +15,7 @@ set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
 set(CPACK_SBGC_SOURCE_DIR "${PROJECT_SOURCE_DIR}")
 set(CPACK_PRE_BUILD_SCRIPTS "${CMAKE_CURRENT_LIST_DIR}/finish.cmake")
 set(CPACK_COMPONENTS_ALL command development)
-# Header-only libraries become part of the compiled code; these ask for their notice in copies of it.
+# Header-only libraries become part of the compiled code; these licenses require a notice in copies.
 set(CPACK_SBGC_NOTICES libcli11-dev libfmt-dev libkissfft-dev nlohmann-json3-dev)
 if(TARGET sbgc_python)
   list(APPEND CPACK_COMPONENTS_ALL python)

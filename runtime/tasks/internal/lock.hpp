@@ -1,5 +1,5 @@
-/// Locks of an owner with threads, and values that threads share: the tasks and the dialogue lock
-/// nothing themselves.
+/// Locks of an owner with threads, and values shared between threads: tasks and dialogue do not
+/// lock anything themselves.
 #pragma once
 
 #include <memory>
@@ -7,7 +7,7 @@
 
 namespace sbgc::detail {
 
-/// A lock that the thread which holds it may take again.
+/// A recursive lock.
 class Lock {
  public:
   Lock() = default;
@@ -20,7 +20,7 @@ class Lock {
 };
 
 using LockPointer = std::unique_ptr<Lock>;
-/// Makes a lock; without threads there is none, and it returns null.
+/// Makes a lock; returns null without threads.
 using MakeLock = LockPointer (*)();
 inline LockPointer no_lock() { return nullptr; }
 
@@ -64,7 +64,7 @@ class Guarded {
 
  private:
   LockPointer lock_;
-  mutable T value_;  // as with a pointer, const says nothing about the value
+  mutable T value_;  // as with a pointer, const does not apply to the value
 };
 
 }  // namespace sbgc::detail

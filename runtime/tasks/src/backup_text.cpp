@@ -46,7 +46,7 @@ void collect_names(const Json& json, const std::string& place, std::set<std::str
   }
 }
 
-/// The checksum of the names of fields, which differ from version to version.
+/// Returns the checksum of the names of fields, which differ from version to version.
 std::string names_checksum(const Json& fields) {
   std::set<std::string> names;
   collect_names(fields, "", names);
@@ -64,7 +64,7 @@ Json message_json(const M& message) {
           {"fields", fields}};
 }
 
-/// The texts for people beside the messages with the identity.
+/// Returns the readable texts beside the messages with the identity.
 Json identity_json(const BoardIdentity& board) {
   Json result = {{"model", board.board_version()}, {"firmware", board.firmware_version()}};
   if (board.details) result["serial_number"] = board.serial_number();
@@ -83,8 +83,8 @@ Json contents_json(const std::vector<ParametersId>& contents) {
   return result;
 }
 
-/// The checksum of what a restore depends on: the identity of the board, and the list of the
-/// contents.
+/// Returns the checksum of the data that a restore depends on: the identity of the board, and the
+/// list of the contents.
 std::string checksum(const BoardIdentity& board, const Json& contents) {
   ByteVector bytes = bytes_of(board.info);
   const std::string text =
@@ -210,8 +210,8 @@ class Reader {
     check_fields(json, path, fields_json(*out.find(id)));
   }
 
-  /// Only the bodies are restored, so a changed field is an error. Fields with names that this
-  /// version of the library does not know are ignored, unless the file had others.
+  /// Only the bodies are restored, so a changed field is an error. Fields with names that are
+  /// unknown in this version of the library are ignored, unless they were changed.
   void check_fields(const Json& json, const std::string& path, const Json& decoded) {
     require_known(json, path, {"message", "copy", "body", "names", "fields"});
     const auto fields = json.find("fields");
@@ -241,14 +241,14 @@ class Reader {
     }
   }
 
-  /// True for reserved bytes of which some had no names yet when the file was made.
+  /// True for reserved bytes some of which had no names when the file was made.
   static bool has_other_size(const std::string& key, const Json& said, const Json& decoded) {
     return key.starts_with("reserved") && said.is_string() && decoded.is_string() &&
            said.get_ref<const std::string&>().size() !=
                decoded.get_ref<const std::string&>().size();
   }
 
-  /// A damaged name must not hide what it names.
+  /// A damaged name must not hide the value that it names.
   void require_known(const Json& object, const std::string& path,
                      std::initializer_list<std::string_view> names) {
     for (const auto& item : object.items()) {

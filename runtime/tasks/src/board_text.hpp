@@ -19,8 +19,8 @@ std::string command_name(std::uint8_t id, Direction direction);
 /// Describes a message that reports a failure: "WRONG_STATE" for an error, or "err_code
 /// ERR_FILE_NOT_FOUND (2)".
 std::string describe(std::uint8_t id, std::span<const std::uint8_t> body);
-/// For example "CMD_BOARD_INFO cannot be decoded: 17 bytes, the message needs 18". `status` is that
-/// of decoding.
+/// For example "CMD_BOARD_INFO cannot be decoded: 17 bytes, the message needs 18". `status` is the
+/// result of decoding.
 std::string undecodable(const Status& status, std::uint8_t id, std::span<const std::uint8_t> body,
                         const Contexts& contexts);
 

@@ -18,7 +18,7 @@ ClientError csv_error(std::size_t line, std::string_view what) {
   return {ErrorCode::bad_file, fmt::format("line {}: {}", line, what)};
 }
 
-/// Takes the text before the separator, which is removed, too.
+/// Removes the text before the separator, and the separator; returns the text.
 std::string_view take_before(std::string_view& text, char separator) {
   const std::size_t at = text.find(separator);
   const std::string_view part = text.substr(0, at);
@@ -26,7 +26,7 @@ std::string_view take_before(std::string_view& text, char separator) {
   return part;
 }
 
-/// Takes a line without its end, LF or CR LF.
+/// Removes a line and its end, LF or CR LF; returns the line.
 std::string_view take_line(std::string_view& text) {
   std::string_view line = take_before(text, '\n');
   if (line.ends_with('\r')) line.remove_suffix(1);
@@ -46,8 +46,8 @@ bool read_number(std::string_view text, double& number) {
   return error == std::errc{} && stop == end;
 }
 
-/// Reads a sample with the precision of the board: a number, or "nan" for a lost one. What is too
-/// small for that precision is rounded, to 0 if need be.
+/// Parses a sample with the precision of the board: a number, or "nan" for a lost one. Numbers that
+/// are too small for that precision are rounded, possibly to 0.
 bool read_sample(std::string_view text, double& sample) {
   if (text == "nan") {
     sample = std::numeric_limits<double>::quiet_NaN();
@@ -103,7 +103,7 @@ std::string to_csv(const BodeRecording& recording) {
 
 Result<BodeRecording> parse_bode_csv(std::string_view text) {
   if (text.size() > max_bode_csv) return csv_error(1, "the file is too long");
-  // Editors and spreadsheets put it there.
+  // Editors and spreadsheets add it.
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
   BodeRecording recording;
@@ -121,7 +121,7 @@ Result<BodeRecording> parse_bode_csv(std::string_view text) {
     double output = 0;
     const bool is_read = read_sample(take_before(row, ';'), input) && read_sample(row, output);
     if (!is_read) return csv_error(line, "not two numbers, INPUT;OUTPUT");
-    // A sample is lost as a whole.
+    // Input and output of a sample are lost together.
     if (std::isnan(input) != std::isnan(output)) return csv_error(line, "half of a lost sample");
     if (std::isnan(input)) ++recording.lost;
     recording.input.push_back(input);

@@ -136,7 +136,7 @@ Task<Result<std::vector<std::uint8_t>>> ParametersKind::read(std::uint8_t copy,
   if (!answer) co_return answer.error();
   std::vector<std::uint8_t> body(max_body_size);
   body.resize(*answer ? (*answer)->encode(body).size : 0);
-  // An older request has an answer of the same fields with an id of its own.
+  // The answer of an older request has the same fields, but its own id.
   const bool is_it = *answer && (&(*answer)->type() == type || type->make().decode(body));
   if (is_it) co_return body;
   co_return ClientError{ErrorCode::bad_response, fmt::format("the board sent no {}", name())};

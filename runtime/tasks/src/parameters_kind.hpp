@@ -21,9 +21,9 @@ using Body = std::span<const std::uint8_t>;
 struct ParametersKind {
   const MessageType* type;
   std::uint8_t copies;
-  /// 1 bits where a body holds state of the board.
+  /// Has 1 bits where a body holds state of the board.
   std::vector<std::uint8_t> state_mask;
-  /// 1 bits where a body holds general parameters.
+  /// Has 1 bits where a body holds general parameters.
   std::vector<std::uint8_t> general_mask;
 
   /// The requests, deprecated ones last.
@@ -37,9 +37,9 @@ struct ParametersKind {
   Task<Result<bool>> write(std::vector<std::uint8_t> body, CallOptions options) const;
 
   std::string name() const { return type->info->name; }
-  /// Returns why the body does not hold parameters of this copy; "" if it does.
+  /// Returns the reason why the body does not hold parameters of this copy; "" if it does.
   std::string problem(Body body, std::uint8_t copy) const;
-  /// Returns the message with this body, in which problem() has found none.
+  /// Returns the message with this body, for which problem() must return "".
   AnyMessage message(Body body) const;
 };
 
@@ -56,7 +56,7 @@ std::optional<std::vector<std::uint8_t>> merged(const ParametersKind& kind, Body
                                                 Body present);
 /// True if both bodies hold the same parameters.
 bool are_equal(const ParametersKind& kind, Body a, Body b);
-/// Returns the parameters in which the bodies differ, with what they mean on boards of these
+/// Returns the parameters in which the bodies differ, with their meaning on boards with these
 /// versions.
 std::vector<FieldChange> field_changes(const ParametersKind& kind, Body before, Body after,
                                        const Availability& versions,

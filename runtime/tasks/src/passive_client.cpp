@@ -88,7 +88,7 @@ Instant PassiveClient::deadline() const noexcept { return state_->deadline(); }
 void PassiveClient::State::detect_line(SetLine set_line,
                                        std::function<void(const Result<void>&)> done) {
   auto question = detail::opening_frame(options_.password);
-  // It keeps a view of the question, whose bytes stay where they are when the vector is moved.
+  // It keeps a view of the question, whose bytes do not move when the vector is moved.
   Detector detector({.question = question});
   search_ = std::make_unique<Search>(
       Search{std::move(question), detector, std::move(set_line), std::move(done)});
@@ -242,7 +242,7 @@ void PassiveClient::State::begin(Running& running, TaskStep step) {
   }
 }
 
-/// Before its motion can be superseded, the task must be known.
+/// The task must be known before its motion can be superseded.
 void PassiveClient::State::join_order(Running& running) {
   TaskMachine& task = *running.machine;
   if (running.joined == task.number()) return;
@@ -304,7 +304,7 @@ void PassiveClient::State::leave_stream(const detail::StreamListeners::Key& key,
   if (auto change = streams_.leave(key, listener)) change_stream(key, *std::move(change));
 }
 
-/// Ends the data stream when nobody wants it any more, or changes its interval.
+/// Ends the data stream if nobody wants it any more, or changes its interval.
 void PassiveClient::State::change_stream(const detail::StreamListeners::Key& key,
                                          detail::Request request) {
   has_news_ = true;

@@ -38,9 +38,9 @@ class PassiveClient::State {
   BoardIdentity& identity() noexcept { return identity_; }
   detail::Delivery& delivery() noexcept { return delivery_; }
   SessionStatistics statistics() const noexcept { return dialogue_.statistics(); }
-  /// The order of the tasks, for a held speed.
+  /// Returns the order of the tasks, for a held speed.
   detail::MotionOrder& order() const { return calls_->order(); }
-  /// The number of calls that have not ended.
+  /// Returns the number of calls that have not ended.
   std::size_t pending() const { return calls_->size(); }
 
  private:
@@ -56,14 +56,14 @@ class PassiveClient::State {
     std::function<void()> finish{};
     detail::Delivery::Registration notices{};
     detail::Delivery::Registration strays{};
-    TaskNumber joined{};  // under which the order of motion knows the task; or 0
+    TaskNumber joined{};  // the number of the task in the order of motion; or 0
     bool is_over = false;
   };
 
-  /// Goes on with the search; returns the bytes to send.
+  /// Continues the search; returns the bytes to send.
   std::span<const std::uint8_t> search();
   void end_search(const Result<void>& result);
-  /// Runs a task until it waits or ends; returns until when it waits.
+  /// Runs a task until it waits or ends; returns the end of its wait.
   Instant step(Running& running);
   void end(Running& running);
   void begin(Running& running, TaskStep step);

@@ -41,7 +41,7 @@ std::string text_of(const Violation& violation, const Availability& versions) {
   return text;
 }
 
-/// True if the board takes another form of the command.
+/// True if the board accepts another form of the command.
 bool has_another_form(std::uint8_t id, const Availability& versions) {
   const auto types = message_types();
   return std::any_of(types.begin(), types.end(), [&](const MessageType* type) {
@@ -77,7 +77,7 @@ std::optional<ClientError> refusal(const AnyMessage& message, const Availability
   return error;
 }
 
-/// Returns the form that firmware takes which no longer takes this one, if there is one.
+/// Returns the form for firmware that no longer accepts this one, if there is one.
 std::optional<AnyMessage> later_form_of(const AnyMessage& message, const Availability& versions) {
   std::optional<AnyMessage> later;
   AllMessages::for_each([&]<class M>(Type<M>) {
@@ -198,7 +198,7 @@ namespace sbgc {
 
 namespace {
 
-/// For the response to a request that no message describes.
+/// The timeout of a request that no message describes.
 constexpr std::uint32_t unknown_timeout_ms = 1000;
 
 ResponsePolicy cautious_policy(std::uint8_t id) {

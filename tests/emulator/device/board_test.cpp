@@ -65,7 +65,7 @@ std::vector<Event> random_events(std::uint32_t seed) {
   return events;
 }
 
-/// How advance() is called between events.
+/// The times of the calls of advance() between events.
 enum class Cut { never, as_next_says, at_random };
 
 Bytes run(std::uint32_t seed, Cut cut, emulator::BoardOptions options = {}) {

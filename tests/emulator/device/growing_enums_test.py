@@ -49,7 +49,7 @@ def sources() -> list[Path]:
 
 
 def warnings_of(source: Path, grown: Path, *options: str) -> str:
-    """What the compiler says about the switches of a file."""
+    """Returns the compiler's warnings about the switches in a file."""
     includes = [f"-I{path}" for path in (grown, *INCLUDES, ROOT / "generated/include")]
     command = [os.environ.get("CXX", "g++"), "-std=c++20", "-fsyntax-only", "-Wswitch", "-Werror"]
     done = subprocess.run(

@@ -1,4 +1,4 @@
-/// What tests of frequency responses record, and the truth about it.
+/// A recording request, and the known frequency response of the emulated plant.
 #pragma once
 
 #include <cmath>

@@ -62,7 +62,7 @@ class Requests {
 
   const std::map<std::uint8_t, std::vector<Json>>& by_id() const { return forms_; }
 
-  /// How a board should handle a request of zeros.
+  /// Returns how a board should handle a request of zeros.
   Reaction expected(const BoardOptions& board, std::uint8_t id, std::size_t size) const {
     bool is_known = false, is_open = false;
     std::size_t largest = 0;

@@ -1,4 +1,4 @@
-"""What a later firmware adds to the spec adds vectors, and leaves those that there are as they are."""
+"""Additions of a later firmware to the spec add vectors, and leave existing ones unchanged."""
 
 from __future__ import annotations
 

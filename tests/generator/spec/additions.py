@@ -1,4 +1,4 @@
-"""What the model has beyond the documents."""
+"""Additions of the model that the documents lack."""
 
 from __future__ import annotations
 

@@ -171,7 +171,7 @@ def our_elements(message: Json) -> list[Element]:
 
 
 class Told:
-    """What a document tells about."""
+    """The subjects that a document covers."""
 
     def __init__(self) -> None:
         self.labels: set[tuple[str, str]] = set()  # a kind of fact, and what it is about

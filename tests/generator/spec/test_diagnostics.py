@@ -44,7 +44,7 @@ def test_position_and_hint_are_written_as_compilers_do(tmp_path: Path) -> None:
 
 
 def test_did_you_mean() -> None:
-    """What differs in numbers alone is not suggested."""
+    """Names that differ only in numbers are not suggested."""
     assert did_you_mean("Agnle", ["Speed", "Angle"]) == "did you mean 'Angle'?"
     assert did_you_mean("U8", ["u8", "i8"]) == "did you mean 'u8'?"
     assert did_you_mean("x", []) == ""

@@ -1,4 +1,4 @@
-"""What the spec names as the source of a message or enum is about it, according to the facts of the text."""
+"""The source that the spec names for a message or enum covers it, according to the facts of the text."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the specification says and tests/data/specification_facts.json lacks, compiled manually.
+"""Facts of the specification missing in tests/data/specification_facts.json, compiled manually.
 
 It comes neither from spec/ nor from a program. Comments name the erratum that decides, if any.
 """

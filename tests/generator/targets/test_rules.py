@@ -74,7 +74,7 @@ def used() -> set[str]:
 
 
 def needed(source: str) -> Iterator[str]:
-    """What a module imports from elsewhere, and what else it has beside the types of the spec."""
+    """The names that a module imports from elsewhere, or has besides the types of the spec."""
     for node in ast.parse(source).body:
         if isinstance(node, ast.ImportFrom) and node.module != "__future__":
             yield from (name.asname or name.name for name in node.names if name.name != "*")

@@ -47,7 +47,7 @@ int main() {
 }
 
 #elif defined(USES_DOCTOR)
-// What is wrong with a gimbal that reports an error.
+// Diagnoses of a gimbal that reports an error.
 
 #include <sbgc/doctor/findings.hpp>
 

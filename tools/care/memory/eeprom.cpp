@@ -42,12 +42,12 @@ struct EepromToWrite {
   Arming arming{};
 };
 
-/// Returns 0 if the board does not tell it.
+/// Returns 0 if the board does not report it.
 std::size_t eeprom_size(const BoardIdentity& board) {
   return board.details ? roles::eeprom_size(*board.details).raw() : 0;
 }
 
-/// The number of bytes from the address to the end of the EEPROM.
+/// Returns the number of bytes from the address to the end of the EEPROM.
 std::size_t rest_of(const BoardIdentity& board, std::uint32_t address) {
   const std::size_t size = eeprom_size(board);
   if (size == 0) throw CommandError("the board does not tell the size of its EEPROM; use --size");
@@ -76,12 +76,12 @@ int read_eeprom(const EepromToRead& options, const CommandContext& context) {
   return success;
 }
 
-/// For example " (special build 0x1f)".
+/// Returns, for example, " (special build 0x1f)".
 std::string special_text(std::uint32_t extra_id) {
   return extra_id == 0 ? "" : fmt::format(" (special build {:#x})", extra_id);
 }
 
-/// Returns the image of the options. Throws CommandError if it is not certain what the bytes are.
+/// Returns the image of the options. Throws CommandError if the origin of the bytes is uncertain.
 EepromImage image_to_write(const EepromToWrite& options) {
   constexpr std::size_t most = 1U << 24U;
   auto bytes = read_local_file(options.file, most);
@@ -101,7 +101,7 @@ EepromImage image_to_write(const EepromToWrite& options) {
   return {.address = options.address.value_or(0), .data = std::move(bytes)};
 }
 
-/// Says of which board the bytes are. Throws CommandError if they are of another one.
+/// Returns the origin of the bytes. Throws CommandError if they are from another board.
 std::string origin_text(const EepromImage& image, const BoardIdentity& board,
                         const EepromToWrite& options) {
   if (options.raw)

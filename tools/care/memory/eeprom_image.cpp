@@ -18,7 +18,7 @@ constexpr const char* image_format = "sbgc-eeprom";
 constexpr std::string_view sum_key = R"(,"crc32":")";
 constexpr std::size_t longest_image_line = 1024;
 
-/// The checksum of the line before it, and of the bytes.
+/// Returns the checksum of the preceding line and of the bytes.
 std::string image_sum(std::string_view line, std::string_view data) {
   std::vector<std::uint8_t> bytes(line.begin(), line.end());
   bytes.insert(bytes.end(), data.begin(), data.end());
@@ -43,7 +43,7 @@ std::string to_text(const EepromImage& image) {
                    {"frw_extra_id", image.extra_id}, {"serial_number", image.serial_number},
                    {"address", image.address},       {"size", image.data.size()}};
   std::string line = facts.dump();
-  line.pop_back();  // of the object, which goes on
+  line.pop_back();  // the end of the object, which continues
   const std::string data(image.data.begin(), image.data.end());
   const std::string sum = image_sum(line, data);
   return fmt::format("{}{}{}\"}}\n{}", line, sum_key, sum, data);

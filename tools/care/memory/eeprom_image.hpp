@@ -1,4 +1,4 @@
-/// Files with bytes of an EEPROM: a line of JSON that says what they are, then the bytes.
+/// Files with bytes of an EEPROM: a line of JSON that describes them, then the bytes.
 #pragma once
 
 #include <cstdint>
@@ -20,14 +20,14 @@ struct EepromImage {
   std::vector<std::uint8_t> data{};
 };
 
-/// Returns the image of bytes of this board.
+/// Returns an image with bytes of this board.
 EepromImage image_of(const BoardIdentity& board, std::uint32_t address,
                      std::vector<std::uint8_t> data);
 
 /// Returns the content of the file.
 std::string to_text(const EepromImage& image);
 
-/// Returns the image in a file; nothing if the file does not begin with such a line. Throws
+/// Parses an image; returns nothing if the file does not begin with such a line. Throws
 /// CommandError if it was changed or is incomplete.
 std::optional<EepromImage> parse_image(std::string_view content);
 

@@ -38,8 +38,8 @@ void set_mode(Client& client, unsigned slot, msg::ScriptMode mode, const Command
   value_of(Result<void>(client.call(request, confirming(call_options(context.gimbal)))));
 }
 
-/// Returns the sizes of the scripts by slot, 0 for an empty one; nothing if the board does not
-/// tell.
+/// Returns the sizes of the scripts by slot, 0 for an empty one; empty if the board does not report
+/// them.
 std::vector<std::size_t> script_sizes(const Client& client) {
   std::vector<std::size_t> sizes;
   const std::optional<msg::BoardInfo3>& details = client.identity().details;

@@ -8,8 +8,8 @@ namespace sbgc::tools {
 
 namespace {
 
-/// Adds the vibration in the rates of the gyroscope, `rate` of them per second. They are taken for
-/// evenly distributed.
+/// Adds the vibration in the rates of the gyroscope, `rate` of them per second. They are treated as
+/// evenly spaced.
 void add_vibration(LiveValues& values, const std::deque<PerAxis>& rates, double rate) {
   std::vector<double> samples(rates.size());
   for (std::size_t axis = 0; axis < values.vibration.size(); ++axis) {
@@ -52,7 +52,7 @@ void GimbalState::add(const LiveMessage& message) {
 }
 
 void GimbalState::add(const Notice& notice) {
-  if (notice.kind == NoticeKind::link_lost) return;  // a change of the link reports it as well
+  if (notice.kind == NoticeKind::link_lost) return;  // a change of the link reports it, too
   const std::lock_guard lock(mutex_);
   log(notice.message);
 }

@@ -15,7 +15,7 @@
 
 namespace sbgc::tools {
 
-/// Values over time. Keeps as many as a wide terminal can show.
+/// A history of values. Keeps as many as a wide terminal can show.
 class History {
  public:
   void add(double value) {
@@ -34,7 +34,7 @@ struct LogEntry {
   std::string text{};
 };
 
-/// A copy of everything to show.
+/// A copy of everything that is shown.
 struct GimbalSnapshot {
   std::optional<LiveMessage> message{};
   LiveValues values{};
@@ -47,7 +47,7 @@ struct GimbalSnapshot {
   bool is_connected = true;
 };
 
-/// Collects what the gimbal sends. Thread-safe.
+/// Collects the data that the gimbal sends. Thread-safe.
 class GimbalState {
  public:
   void add(const LiveMessage& message);

@@ -21,7 +21,7 @@ PerAxis shares(const Axes<std::uint8_t>& powers) {
   return {powers.roll / full, powers.pitch / full, powers.yaw / full};
 }
 
-/// Takes what both messages have.
+/// Copies the values that both messages have.
 template <class M>
 LiveValues common_values(const M& message) {
   LiveValues values{

@@ -1,4 +1,4 @@
-/// The values of live data, as people read them.
+/// The values of live data in readable form.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ namespace sbgc::tools {
 /// One value of each axis: roll, pitch, yaw.
 using PerAxis = Axes<double>;
 
-/// The values of one message of live data, in their units. NaN is a value that the message lacks.
+/// The values of one message of live data, in their units. NaN means that the message lacks it.
 struct LiveValues {
   PerAxis angle{};        ///< of the camera, in degrees
   PerAxis target{};       ///< in degrees
@@ -23,7 +23,7 @@ struct LiveValues {
   PerAxis balance{};      ///< motor power lost to imbalance, in percent
   PerAxis power{};        ///< of the motors, 0 to 1
   PerAxis rate{};         ///< of the gyroscope, in deg/s
-  PerAxis vibration{};    ///< of the last seconds, as vibration_of() has it, in deg/s
+  PerAxis vibration{};    ///< in the last seconds, see vibration_of(), in deg/s
   double slowest_vibration{}, fastest_vibration{};  ///< its frequencies, in hertz
   double battery{};                                 ///< in volts
   double current{};                                 ///< in milliamperes

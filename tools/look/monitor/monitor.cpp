@@ -33,10 +33,10 @@ namespace sbgc::tools {
 
 namespace {
 
-/// Records the line while it is on. Thread-safe. The functions for the user return what to tell.
+/// Records the line while it is on. Thread-safe. The functions for the user return a message.
 class Recording final : public io::Observer {
  public:
-  /// False, too, if the file can no longer be written, which begin_or_end() tells.
+  /// Also false if the file can no longer be written; begin_or_end() reports that.
   bool is_on() const;
   /// Begins a file in this folder that is named by the time, or ends it. `line` describes the line.
   std::string begin_or_end(const std::string& line);
@@ -172,7 +172,7 @@ class Monitor {
   Monitor(Client& client, const GimbalState& state, Recording& recording)
       : client_(client), state_(state), recording_(recording) {}
 
-  /// Returns when the user quits, or a signal asks for the end.
+  /// Returns when the user quits, or when a signal requests it.
   void run() {
     constexpr std::chrono::milliseconds refresh{50};
     Screen screen;
@@ -236,14 +236,14 @@ int monitor(const MonitorOptions& options, const CommandContext& context) {
       [recording, inner = line.options.wrap](std::unique_ptr<io::Transport> transport) {
         return io::observe(inner ? inner(std::move(transport)) : std::move(transport), recording);
       };
-  // A remark would be written across the screen.
+  // A remark would appear in the middle of the screen.
   reconnect.connection.on_capture_error =
       [&state, has_lost_capture = context.gimbal.has_lost_capture](const ClientError& error) {
         *has_lost_capture = true;
         state.add(error);
       };
   Client client = value_of(Client::connect(line.address, reconnect));
-  const Interruption interruption;  // not before: the first Ctrl-C ends the connecting
+  const Interruption interruption;  // not earlier: the first Ctrl-C ends the connection attempt
   const Subscription notices = client.on_notice([&](const Notice& notice) { state.add(notice); });
   const Subscription changes =
       client.on_change([&](const LinkChange& change) { state.add(change); });

@@ -23,27 +23,27 @@ namespace {
 
 constexpr std::array<const char*, page_count> page_names{"Overview", "Charts", "Values", "Line"};
 
-/// The first row of a page: below the title, the names of the pages and, in a high terminal, an
-/// empty row.
+/// Returns the first row of a page: below the title, the names of the pages and, in a high
+/// terminal, an empty row.
 std::size_t first_row(const Screen& screen) { return screen.height() < 16 ? 2 : 3; }
 
-/// The row after the last of a page: that of the keys.
+/// Returns the row after the last one of a page: the row of the keys.
 std::size_t end_row(const Screen& screen) { return screen.height() - 1; }
 
-/// The part of a long page that is shown.
+/// The visible part of a long page.
 struct Window {
   std::size_t begin{};
   std::size_t end{};
   std::size_t all{};
 };
 
-/// Limits the scrolling to what there is.
+/// Limits the scrolling to the existing lines.
 Window window_of(View& view, std::size_t all, std::size_t space) {
   view.scroll = std::min(view.scroll, all > space ? all - space : 0);
   return {view.scroll, std::min(all, view.scroll + space), all};
 }
 
-/// For example "1-20 of 60"; "" if everything is shown.
+/// Returns, for example, "1-20 of 60"; "" if everything is shown.
 std::string place_text(const Window& window, bool has_utf8) {
   if (window.end - window.begin == window.all) return "";
   return fmt::format("{}{}{} of {}", window.begin + 1, has_utf8 ? "\u2013" : "-", window.end,
@@ -105,7 +105,7 @@ void draw_page_names(Screen& screen, const View& view) {
   }
 }
 
-/// The last row: a message, or the keys, as many as fit; and the place in a list.
+/// Draws the last row: a message, or as many keys as fit; and the position in a list.
 void draw_last_row(Screen& screen, const View& view, const std::string& place, std::size_t size) {
   const std::size_t row = end_row(screen);
   screen.fill(row, Style::normal);
@@ -163,7 +163,7 @@ Window draw_keys(Screen& screen, View& view) {
                     15);
 }
 
-/// The columns of the overview for an axis, from the left; a narrow screen lacks those of high
+/// The columns of the overview for an axis, from the left; a narrow screen omits those of high
 /// rank.
 struct AxisColumn {
   const char* name{};
@@ -201,7 +201,7 @@ constexpr std::array<AxisColumn, 7> axis_columns{{
      }},
 }};
 
-/// From this width on, the overview has a column more.
+/// With at least this width, the overview has an additional column.
 constexpr std::size_t wide_screen = 100;
 
 /// Draws a row for each axis, and returns the row after them.
@@ -243,7 +243,7 @@ std::size_t draw_axes(Screen& screen, std::size_t row, const View& view, const L
   return row + 1 + axis_names.size();
 }
 
-/// Draws the values that concern no axis, in rows before `end`; returns the row after them.
+/// Draws the values without an axis, in rows before `end`; returns the row after them.
 std::size_t draw_facts(Screen& screen, std::size_t row, std::size_t end, const LiveValues& values) {
   struct Fact {
     const char* name{};
@@ -278,7 +278,7 @@ std::string vibration_unit(const LiveValues& values, bool is_wide) {
                      values.fastest_vibration);
 }
 
-/// The time that a chart of this width shows, such as "last 8 s".
+/// Returns the time span that a chart of this width shows, such as "last 8 s".
 std::string span_of(const GimbalSnapshot& gimbal, const Screen& screen, std::size_t width) {
   if (!(gimbal.rate > 0)) return "";
   const std::size_t dots = width * (style_of(screen) == ChartStyle::braille ? 2 : 1);
@@ -308,7 +308,7 @@ void draw_overview(Screen& screen, const View& view, const GimbalSnapshot& gimba
   }
   if (!values.task.empty()) screen.put(row++, 12, "running: " + values.task, Style::accent);
   ++row;
-  // The rest: a small chart of each axis, side by side with its range.
+  // The rest: a small chart of each axis, next to its range.
   const std::size_t space = end > row ? end - row : 0;
   const std::size_t height = space / axis_names.size();
   if (height == 0) return;
@@ -354,7 +354,7 @@ Window draw_charts(Screen& screen, View& view, const GimbalSnapshot& gimbal) {
       Chart{"battery", "V", &gimbal.battery, 0.5},
       Chart{"current", "mA", &gimbal.current, 100},
   };
-  // No more columns than are wide enough to read.
+  // Only as many columns as are wide enough to read.
   constexpr std::size_t narrowest = 36;
   const std::size_t columns = std::clamp<std::size_t>(screen.width() / narrowest, 1, 4);
   const std::size_t rows = (charts.size() + columns - 1) / columns;
@@ -414,7 +414,7 @@ Window draw_values(Screen& screen, View& view, const GimbalSnapshot& gimbal) {
     const auto raw = fmt::format("{}", rows.raw(row));
     const auto meaning = fmt::format("{}", rows.meaning(row));
     screen.put(top, left, row.path.text());
-    if (screen.width() < column_width) {  // only one of both has room
+    if (screen.width() < column_width) {  // there is only room for one of them
       const std::size_t column = left + path_width + 2;
       const std::size_t room = screen.width() - std::min(column, screen.width());
       screen.put(top, column, cut(meaning.empty() ? raw : meaning, room), Style::accent);
@@ -461,7 +461,7 @@ Window draw_line(Screen& screen, View& view, const GimbalSnapshot& gimbal, const
   return draw_texts(screen, view, texts, 20);
 }
 
-/// Draws the page, and returns what it shows of a longer one.
+/// Draws the page, and returns the visible part of a longer one.
 Window draw_page(Screen& screen, View& view, const GimbalSnapshot& gimbal, const LineInfo& line) {
   if (view.shows_keys) return draw_keys(screen, view);
   if (view.page == Page::line) return draw_line(screen, view, gimbal, line);

@@ -35,7 +35,7 @@ struct View {
   std::chrono::steady_clock::time_point message_end{};
 };
 
-/// Draws the whole screen. Reduces `view.scroll` to what there is.
+/// Draws the whole screen. Limits `view.scroll` to the existing lines.
 void draw(Screen& screen, View& view, const GimbalSnapshot& gimbal, const LineInfo& line);
 
 }  // namespace sbgc::tools

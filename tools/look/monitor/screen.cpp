@@ -9,7 +9,7 @@
 #include <poll.h>
 #include <unistd.h>
 
-// Without it, the names of functions are macros.
+// Without it, ncurses defines functions as macros.
 #define NCURSES_NOMACROS  // NOLINT(readability-identifier-naming)
 #include <curses.h>
 
@@ -86,8 +86,8 @@ void Screen::put(std::size_t row, std::size_t column, std::string_view any_text,
   const std::string text = printable(any_text);
   const attr_t attribute = is_faint_ ? A_DIM : attributes(style);
   wattrset(stdscr, static_cast<int>(attribute));
-  // A text that reaches past the right edge would continue in the next row. Bytes are an upper
-  // bound of characters, and ncurses counts the latter.
+  // A text beyond the right edge would continue in the next row. The number of bytes is an upper
+  // bound of the number of characters, which ncurses counts.
   wmove(stdscr, static_cast<int>(row), static_cast<int>(column));
   std::size_t left = width() - column;
   std::size_t size = 0;

@@ -1,4 +1,4 @@
-/// A full-screen terminal, by ncurses.
+/// A full-screen terminal, using ncurses.
 #pragma once
 
 #include <chrono>
@@ -23,7 +23,7 @@ inline constexpr int end = 1008;
 inline constexpr int resized = 1009;
 }  // namespace key
 
-/// Takes the terminal over, and gives it back as it was. Only one may exist.
+/// Takes over the terminal, and restores it afterwards. Only one may exist.
 class Screen {
  public:
   /// Throws CommandError if there is no terminal, or its type is unknown.
@@ -38,16 +38,16 @@ class Screen {
   bool has_utf8() const { return has_utf8_; }
 
   void clear();
-  /// Shows what is written from now on as out of date.
+  /// Marks everything that is written from now on as outdated.
   void set_faint(bool is_faint) { is_faint_ = is_faint; }
-  /// Writes text at a place, cut at the right edge. Places outside the screen are ignored.
+  /// Writes text at a position, cut at the right edge. Positions outside the screen are ignored.
   void put(std::size_t row, std::size_t column, std::string_view text, Style style = Style::normal);
   /// Fills the rest of a row.
   void fill(std::size_t row, Style style);
   /// Shows what was written.
   void show();
 
-  /// Waits for a key; nothing after the time.
+  /// Waits for a key; returns nothing after the timeout.
   std::optional<int> wait_for_key(std::chrono::milliseconds time);
 
  private:

@@ -14,7 +14,7 @@ namespace sbgc::tools {
 
 namespace {
 
-/// The narrowest range of values that is drawn, so that a constant stays a line.
+/// The narrowest range of values that is drawn, so that a constant remains a line.
 constexpr double least_range = 1e-9;
 
 std::string short_number(double value) { return fmt::format("{:.4g}", value); }
@@ -37,9 +37,9 @@ std::vector<LinePoint> points_of(const Curve& curve) {
   return points;
 }
 
-/// A longer distance of two points is a gap.
+/// Returns the longest distance of two points that does not count as a gap.
 double longest_distance(const std::vector<LinePoint>& points) {
-  constexpr double most = 10;  // of the usual one
+  constexpr double most = 10;  // multiple of the usual distance
   std::vector<double> distances;
   for (std::size_t i = 1; i < points.size(); ++i) {
     distances.push_back(points[i].x - points[i - 1].x);
@@ -47,7 +47,7 @@ double longest_distance(const std::vector<LinePoint>& points) {
   if (distances.empty()) return 0;
   const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
   std::nth_element(distances.begin(), middle, distances.end());
-  // Points that come in bundles have no usual distance.
+  // Points that come in bunches have no usual distance.
   return *middle > 0 ? most * *middle : std::numeric_limits<double>::infinity();
 }
 
@@ -57,7 +57,7 @@ class WidthOfCurve {
   WidthOfCurve(const Curve& curve, std::size_t parts)
       : first_(curve.places.front()), last_(curve.places.back()), parts_(parts) {}
 
-  /// The part of a place, or, if all places are the same, the last one.
+  /// Returns the part of a position; the last one if all positions are equal.
   std::size_t part_of(double place) const {
     const double share = last_ > first_ ? (place - first_) / (last_ - first_) : 1;
     const auto part = static_cast<std::size_t>(share * static_cast<double>(parts_));
@@ -73,8 +73,8 @@ class WidthOfCurve {
   std::size_t parts_;
 };
 
-/// Returns the values to draw at `count` equal distances: of each two, the lowest and the highest
-/// one, and between distant points, a line.
+/// Returns the values to draw at `count` equal distances: of each pair, the lowest and the highest
+/// one, and lines between distant points.
 std::vector<double> at_equal_distances(const Curve& curve, std::size_t count) {
   const std::vector<LinePoint> points = thinned(curve, count / 2);
   const WidthOfCurve pairs(curve, count / 2);
@@ -140,7 +140,7 @@ struct AxisSigns {
   const char* along;
 };
 
-/// The axis below a chart: its first, middle and last place, as far as there is room.
+/// Returns the axis below a chart: its first, middle and last value, if there is room.
 std::string axis_of_places(const Curve& curve, std::size_t width, const char* along) {
   const auto text_at = [&](double place) { return " " + short_number(place) + " " + curve.x_unit; };
   const double begin = curve.places.front();
@@ -167,7 +167,7 @@ std::string draw_text(const std::vector<Curve>& curves, std::size_t width, std::
   const AxisSigns signs =
       style == ChartStyle::braille ? AxisSigns{"│", "┤", "└", "─"} : AxisSigns{"|", "+", "+", "-"};
   constexpr std::size_t label = 10;
-  // Even, because each two dots show the lowest and the highest value.
+  // Even, because each pair of dots shows the lowest and the highest value.
   const std::size_t chart = width > label + 2 ? (width - label - 1) / 2 * 2 : 2;
   const std::size_t dots = chart * (style == ChartStyle::braille ? 2 : 1);
   std::string text;

@@ -15,8 +15,8 @@ struct Curve {
   std::string name{};
   std::string unit{};            ///< of the values
   std::string x_unit{};          ///< "s" or "Hz"
-  std::vector<double> places{};  ///< where the values are, ascending
-  std::vector<double> values{};  ///< NaN is none
+  std::vector<double> places{};  ///< x of the values, ascending
+  std::vector<double> values{};  ///< NaN means missing
   std::string note{};            ///< shown beside the name
 };
 
@@ -24,12 +24,12 @@ struct Curve {
 std::string draw_text(const std::vector<Curve>& curves, std::size_t width, std::size_t height,
                       ChartStyle style);
 
-/// Returns a picture of the curves.
+/// Returns an image of the curves.
 std::string draw_svg(const std::vector<Curve>& curves);
 
 /// Returns few points that show the same curve: the lowest and the highest one of each of the
-/// `parts`, which are equally wide, in their order. A point without a number is a gap: nothing is
-/// drawn over a distance of many usual ones.
+/// `parts`, which are equally wide, in order. Missing numbers, and distances that are many times
+/// the usual one, become gaps.
 std::vector<LinePoint> thinned(const Curve& curve, std::size_t parts);
 
 }  // namespace sbgc::tools

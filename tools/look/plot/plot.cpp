@@ -48,7 +48,7 @@ struct PlotOptions {
   bool ascii = false;
   std::size_t height = 8;
   std::string svg{};
-  std::vector<const CLI::Option*> of_live{};  ///< that a table has no use for
+  std::vector<const CLI::Option*> of_live{};  ///< without effect on a table
 };
 
 std::vector<Series> table_in(const std::string& file, const std::string& fields) {
@@ -68,7 +68,7 @@ std::vector<Series> table_in(const std::string& file, const std::string& fields)
   return reader.finish();
 }
 
-/// Takes samples of a stream as rows of a table.
+/// Reads samples of a stream as rows of a table.
 std::vector<Series> live_table(const PlotOptions& options, const CommandContext& context) {
   using Clock = std::chrono::steady_clock;
   StreamType stream = StreamType::find(options.stream);

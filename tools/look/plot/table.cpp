@@ -20,7 +20,7 @@ namespace sbgc::tools {
 
 namespace {
 
-/// Splits a line at its commas; a cell in quotes may contain some.
+/// Splits a line at its commas; quoted cells may contain commas.
 std::vector<std::string> cells_of(std::string_view line) {
   std::vector<std::string> cells(1);
   bool is_quoted = false;
@@ -41,11 +41,11 @@ std::vector<std::string> cells_of(std::string_view line) {
   return cells;
 }
 
-/// Divides "angle.roll[deg]".
+/// Splits "angle.roll[deg]" into path and unit.
 Series named(std::string cell) {
   const std::size_t bracket = cell.find('[');
   if (bracket == std::string::npos || cell.back() != ']') return {std::move(cell), "", {}};
-  // An index such as rc[2] is no unit.
+  // An index such as rc[2] is not a unit.
   const std::string inside = cell.substr(bracket + 1, cell.size() - bracket - 2);
   if (sbgc::detail::parse_number<unsigned>(inside)) return {std::move(cell), "", {}};
   const std::size_t unit = cell.rfind('[');
@@ -57,7 +57,7 @@ bool chooses(std::string_view pattern, const std::string& path) {
          path.ends_with('.' + std::string(pattern));
 }
 
-/// Makes a clock that wraps count on, in seconds.
+/// Unwraps a clock, in seconds.
 std::vector<double> unwrapped(const std::vector<double>& clock_ms) {
   std::vector<double> seconds;
   double turns = 0;
@@ -69,8 +69,8 @@ std::vector<double> unwrapped(const std::vector<double>& clock_ms) {
   return seconds;
 }
 
-/// The distance of samples. If most have the usual one, the others are as many of it as come near
-/// them; otherwise, the times of arrival vary, and it is that of the mean.
+/// Returns the distance of samples. If most have the usual one, the others are rounded to a
+/// multiple of it; otherwise the times of arrival vary, and the mean distance is used.
 double distance_of(const std::vector<double>& times) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < times.size(); ++i) steps.push_back(times[i] - times[i - 1]);
@@ -87,7 +87,7 @@ double distance_of(const std::vector<double>& times) {
   return (times.back() - times.front()) / total;
 }
 
-/// Returns which columns after the first the patterns choose. Throws CommandError.
+/// Returns which columns after the first the patterns select. Throws CommandError.
 std::vector<bool> choice_of(const std::vector<Series>& columns, std::string_view patterns) {
   std::vector<bool> is_chosen(columns.size(), patterns.empty());
   is_chosen.front() = false;
@@ -200,10 +200,10 @@ UniformSeries uniform(const std::vector<double>& times, const std::vector<double
   const std::vector<double> at = has_clock ? unwrapped(clock_ms) : times;
   const double distance = at.size() < 2 ? 0 : distance_of(at);
   if (!(distance > 0) || !std::isfinite(distance)) return {};
-  // A sample is never early: of several at one time, the earlier ones are late.
+  // A sample is never early: of several at the same time, the earlier ones are late.
   std::vector<std::int64_t> numbers(at.size());
   for (std::size_t i = at.size(); i-- > 0;) {
-    constexpr double most = 1e15;  // that an integer holds; more is a gap, anyway
+    constexpr double most = 1e15;  // an integer can hold it; more is a gap, anyway
     const double steps = std::min((at[i] - at.front()) / distance, most);
     const auto number = static_cast<std::int64_t>(std::llround(steps));
     numbers[i] = i + 1 < at.size() ? std::min(number, numbers[i + 1] - 1) : number;

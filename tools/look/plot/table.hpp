@@ -1,4 +1,4 @@
-/// Columns of numbers over time, from CSV as `sbgc stream` and `sbgc decode` write it.
+/// Columns of numbers over time, from CSV as written by `sbgc stream` and `sbgc decode`.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace sbgc::tools {
 
-/// A column. Cells that hold no number are NaN.
+/// A column. Cells without a number are NaN.
 struct Series {
   std::string path{};  ///< such as "angle.roll"
   std::string unit{};  ///< "" if it has none
@@ -19,12 +19,12 @@ struct Series {
 /// The name of the column with the clock of the samples.
 inline constexpr const char* clock_path = "timestamp_ms";
 
-/// Reads a table line by line, and keeps the time, the clock and what the patterns choose.
+/// Reads a table line by line, and keeps the time, the clock and the selected columns.
 class TableReader {
  public:
   explicit TableReader(std::string patterns = "") : patterns_(std::move(patterns)) {}
 
-  /// Takes a line without its end; the first one has the names. Throws CommandError.
+  /// Adds a line without its end; the first line has the names. Throws CommandError.
   void add_line(std::string_view line);
   /// Returns the columns; the first one is the time. Throws CommandError if there are no rows.
   std::vector<Series> finish();
@@ -38,18 +38,18 @@ class TableReader {
   std::size_t lines_ = 0;
 };
 
-/// Returns the columns after the first that the patterns choose: globs of whole paths, their
+/// Returns the columns after the first that the patterns select: globs of whole paths, their
 /// beginnings before a dot, or their ends after one, separated by commas; all without patterns.
-/// Throws CommandError for a pattern that chooses nothing.
+/// Throws CommandError for a pattern that selects nothing.
 std::vector<Series> chosen_series(const std::vector<Series>& columns, std::string_view patterns);
 
-/// Values at equal distances in time.
+/// Equidistant values.
 struct UniformSeries {
   double rate{};
   double lost_share{};
   std::vector<double> values{};  ///< empty if too many are lost
 };
-/// Finds the distance of the samples, in seconds, from their times of arrival, which may be late;
+/// Determines the sample interval, in seconds, from the times of arrival, which may be late;
 /// `clock_ms` is a clock of the samples themselves that wraps at 16 bits, or empty.
 UniformSeries uniform(const std::vector<double>& times, const std::vector<double>& clock_ms,
                       const std::vector<double>& values);

@@ -1,4 +1,4 @@
-// Buttons with the lines that do the same elsewhere.
+// Buttons with the equivalent lines of code.
 
 import { Fragment, type ComponentChildren } from "preact";
 import { useState } from "preact/hooks";

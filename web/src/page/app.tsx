@@ -1,4 +1,4 @@
-// The page: the gimbal on one side, what to do with it on the other.
+// The page: the gimbal on one side, the controls on the other.
 
 import { useEffect, useRef, useState } from "preact/hooks";
 

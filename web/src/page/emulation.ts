@@ -16,7 +16,7 @@ export interface Part {
   usual: string;
   /** For a number; otherwise the part is the name of an axis. */
   limits?: { least: number; most: number; step: number; unit: string };
-  /** What follows the number in the text of the fault. */
+  /** The suffix of the number in the text of the fault. */
   suffix?: string;
 }
 

@@ -73,7 +73,7 @@ interface SwitchProps {
   label: string;
   isOn: boolean;
   onChange: () => void;
-  /** What can be set while it is on. */
+  /** Its parameters, which can be set while it is on. */
   children: ComponentChildren;
 }
 

@@ -8,9 +8,9 @@ import { anglesWords, type Direction, radians, seenFrom } from "./axes.js";
 import { everySecond, useDesk } from "./session.js";
 import { colorsOf, onThemeChange } from "./theme.js";
 
-/** Of the smaller side of the picture, in degrees. */
+/** The angle of view along the smaller side of the picture, in degrees. */
 const fieldOfView = 64;
-/** What is nearer to the plane of the lens, or behind it, is not drawn. */
+/** Points nearer to the plane of the lens, or behind it, are not drawn. */
 const nearest = 0.05;
 const headings = Array.from({ length: 24 }, (_, n) => n * 15);
 const rings = [-8, -14, -24, -40, -62, -80];

@@ -88,7 +88,7 @@ export const Select = ({ label, options, value, onChange }: SelectProps) => (
   </select>
 );
 
-/** How a button stands out. */
+/** The emphasis of a button. */
 type Look = "plain" | "plain quiet" | "plain small" | "plain quiet small" | "armed";
 
 interface ButtonProps {
@@ -103,7 +103,7 @@ export const Button = ({ look = "plain", label, onClick, ...rest }: ButtonProps)
   <button type="button" class={look} aria-label={label} onClick={() => void onClick()} {...rest} />
 );
 
-/** For what is beside the main thing. */
+/** For secondary actions. */
 export const SmallButton = (props: ButtonProps) => <Button look="plain quiet small" {...props} />;
 
 interface TextProps {
@@ -152,7 +152,7 @@ interface ChoiceProps<T extends string> {
   onChange: (value: T) => void;
 }
 
-/** One of several, all in sight. */
+/** A choice of one of several visible options. */
 export function Choice<T extends string>(props: ChoiceProps<T>) {
   const name = useId();
   return (

@@ -26,7 +26,7 @@ const briefOf = ({ fields }: LoggedFrame): string =>
     .map(([path, value]) => `${path} ${value}`)
     .join(", ");
 
-/** A frame with its fields behind a summary, which are made when somebody wants them. */
+/** A frame with its fields behind a summary; they are created when it is opened. */
 export function FrameEntry({ frame, isOpen }: { frame: LoggedFrame; isOpen?: boolean }) {
   const [hasBody, setBody] = useState(isOpen ?? false);
   return (

@@ -9,7 +9,7 @@ import type * as playground from "../worker_messages.js";
 import type { View } from "../worker_messages.js";
 import type { Action, Language } from "./lines.js";
 
-/** What a page may hear; a worker says the part that is its own. */
+/** Reports that a page may get; each worker sends some of them. */
 export type Report = playground.Report | setup.Report;
 type Request = playground.Request | setup.Request;
 export type Done = Extract<Report, { kind: "done" }>;
@@ -26,7 +26,7 @@ interface Pending {
   progress?: OnProgress | undefined;
 }
 
-/** What both pages ask a gimbal, emulated or real. */
+/** Requests of both pages to a gimbal, emulated or real. */
 export class Session {
   /** The newest one. */
   view: View | null = null;
@@ -43,7 +43,7 @@ export class Session {
     );
   }
 
-  /** Rejects with what the worker says is wrong. */
+  /** Rejects with the error that the worker reports. */
   ask(question: Question | Question<setup.Request>, progress?: OnProgress): Promise<Done> {
     const id = ++this.#last;
     return new Promise((resolve, reject) => {

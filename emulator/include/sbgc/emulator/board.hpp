@@ -24,7 +24,7 @@ enum class Reaction : std::uint8_t {
   malformed,      ///< a body of a size that the command does not allow
   lost,           ///< dropped, because the input buffer was full
   not_listening,  ///< dropped, because the board was starting or in its bootloader
-  locked          ///< ignored, because the port wants the password first
+  locked          ///< ignored, because the port requires the password first
 };
 
 /// Counters of what a board has received and sent.
@@ -67,10 +67,10 @@ class Board {
   /// Disconnects the host and drops its data streams and pending output. The port must be open, as
   /// for all functions that take a port.
   void close_port(std::size_t port);
-  /// The host sends no more requests but still receives responses: only its data streams end.
+  /// Reports that the host sends no more requests but still receives: only its streams end.
   void end_input(std::size_t port);
 
-  /// Takes bytes from a host.
+  /// Processes bytes from a host.
   void receive(std::size_t port, std::span<const std::uint8_t> bytes, Instant now);
   /// Runs the board up to this time, which must not decrease.
   void advance(Instant now);
@@ -98,8 +98,8 @@ class Board {
 
   /// The data that survive a power cycle. Its `revision` grows with each change.
   const Memory& memory() const;
-  /// Reports that the memory is saved up to this revision, so hosts may learn of its changes. For
-  /// use with BoardOptions::waits_for_saving.
+  /// Reports that the memory is saved up to this revision, so hosts may learn of its changes. Only
+  /// for BoardOptions::waits_for_saving.
   void memory_saved(std::uint32_t revision, Instant now);
   /// Reports that saving this revision failed: confirmations of changes up to it become CMD_ERROR.
   /// The changes stay in memory and still need saving.
@@ -128,7 +128,7 @@ class Board {
 
  private:
   class Core;
-  /// Use for calls that may report traffic.
+  /// Must be used for calls that may report traffic.
   Core& entered();
 
   std::unique_ptr<Core> core_;

@@ -7,9 +7,9 @@
 
 namespace sbgc::emulator {
 
-/// Faults that live data report. They do not change what the board does.
+/// Faults that live data report. They do not affect the behavior of the board.
 struct BoardFaults {
-  Flags<msg::SystemError> errors{};  ///< in addition to those that the board finds itself
+  Flags<msg::SystemError> errors{};  ///< in addition to errors that the board detects itself
   msg::SystemSubError sub_error{};   ///< what the board reports; 0: none
   double i2c_errors = 0;             ///< per second
   double serial_errors = 0;          ///< per second, besides those of the line

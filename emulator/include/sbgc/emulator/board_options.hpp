@@ -19,7 +19,7 @@ struct BoardOptions {
   msg::BoardFeatures features = msg::BoardFeature::three_axis | msg::BoardFeature::bat_monitoring |
                                 msg::BoardFeature::encoders | msg::BoardFeature::bode_test |
                                 msg::BoardFeature::scripting | msg::BoardFeature::current_sensor;
-  /// Features that the firmware has; it reports those that it knows.
+  /// Features of the firmware; it only reports those that it knows.
   msg::BoardFeaturesExt features_ext =
       msg::BoardFeaturesExtBit::ext_imu | msg::BoardFeaturesExtBit::state_vars;
   msg::BoardFeaturesExt2 features_ext2 =
@@ -38,9 +38,9 @@ struct BoardOptions {
   std::size_t output_buffer = 1024;
   /// The time from a restart until the board listens again.
   Duration start_time = milliseconds(500);
-  /// How long the bootloader waits for firmware before it restarts the board.
+  /// The time that the bootloader waits for firmware before it restarts the board.
   Duration bootloader_time = seconds(5);
-  /// How it records frequency responses.
+  /// The recording of frequency responses.
   struct Response {
     double noise = 1;          ///< standard deviation of the output; a stimulus makes 100 or more
     bool is_confirmed = true;  ///< some firmware omits the confirmation of the start
@@ -52,9 +52,9 @@ struct BoardOptions {
   /// The password that a host must send first, unless empty; see Board. A request with a new
   /// password replaces it.
   std::string password{};
-  /// Refuses requests with more bytes than the firmware knows. Real boards ignore these.
+  /// Reject requests with more bytes than the firmware knows. Real boards ignore the excess.
   bool is_strict = false;
-  /// Delays frames that report a change of the memory until Board::memory_saved() is called.
+  /// Delay frames that report a change of the memory until Board::memory_saved() is called.
   bool waits_for_saving = false;
 };
 

@@ -22,7 +22,7 @@ struct FrameAngles {
 /// second. Samples with non-finite angles or non-ascending times are dropped. A recording without
 /// samples means no motion.
 struct Disturbance {
-  /// What the gimbal is mounted on.
+  /// The carrier of the gimbal.
   enum class Kind : std::uint8_t { rest, handheld, drone, vehicle, recorded };
 
   Kind kind = Kind::rest;

@@ -14,11 +14,11 @@
 
 namespace sbgc::emulator {
 
-/// A board with its line.
+/// Options of a board with its line.
 struct EmulatorOptions {
   BoardOptions board{};
   LineOptions line{};  ///< of each port; each connection derives its own seed
-  /// From each start on, the rate of the line follows the parameter SERIAL_SPEED.
+  /// From each start of the board, the rate of the line follows the parameter SERIAL_SPEED.
   bool rate_from_parameters = false;
   std::optional<Duration> restart_at{};  ///< an unrequested reset, this long after `beginning`
 };
@@ -48,15 +48,15 @@ class Emulator {
   /// The settings of the host's serial port. Without a value they always match those of the board.
   void set_host_line(std::size_t port, const std::optional<LineSettings>& settings, Instant now);
 
-  /// The host sends no more bytes: its streams and text lines end. Once is_quiet() is true, it has
-  /// received everything it requested.
+  /// Reports that the host sends no more bytes: its streams and text lines end. Once is_quiet() is
+  /// true, it has received everything it requested.
   void end_input(std::size_t port, Instant now);
 
   /// The number of bytes from the host that are on the line or queued.
   std::size_t queued_bytes(std::size_t port) const;
-  /// Returns how many bytes the host should send at most for now. from_host() accepts more.
+  /// Returns the number of bytes that the host should send for now. from_host() accepts more.
   std::size_t room(std::size_t port) const;
-  /// Takes bytes from a host.
+  /// Processes bytes from a host.
   void from_host(std::size_t port, std::span<const std::uint8_t> bytes, Instant now);
   /// True if no request of the host is pending and all output for it has been taken.
   bool is_quiet(std::size_t port) const;
@@ -73,8 +73,8 @@ class Emulator {
   /// Turns the power off and on.
   void restart(Instant now);
 
-  /// Applies from now on what these options say of the faults of board and line, and
-  /// Gimbal::change(). All others keep their values.
+  /// Applies the faults of board and line in these options from now on, and calls Gimbal::change().
+  /// All other options keep their values.
   void change(const EmulatorOptions& options, Instant now);
 
   /// Like Board::memory_saved() and Board::memory_not_saved().

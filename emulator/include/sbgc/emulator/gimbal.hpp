@@ -154,9 +154,9 @@ class Gimbal {
   void restart(Instant now);
   /// Call when the parameters change; moves in progress continue.
   void tune(const Tuning& tuning, Instant now);
-  /// Applies from now on what these options say of the motion of the frame, battery, imbalance,
-  /// vibration, strain and drift. What the battery has given stays given; the frame moves at once
-  /// to where the new motion has it. Seed, noise and temperature stay as they are.
+  /// Applies the motion of the frame, battery, imbalance, vibration, strain and drift in these
+  /// options from now on. The charge drawn from the battery stays drawn; the frame moves at once to
+  /// the position of the new motion. Seed, noise and temperature stay unchanged.
   void change(const Options& options, Instant now);
   /// When the motors turn on, the targets start at the current camera angles; commands continue
   /// from there.
@@ -170,10 +170,10 @@ class Gimbal {
   /// Makes an axis turn or hold an angle; without a time, returns its command.
   void command(std::size_t axis, const AxisCommand& command, Instant now);
   const AxisCommand& command(std::size_t axis) const;
-  /// The RC signal of an axis, -1..1. Without a signal the axis holds its target.
+  /// Sets the RC signal of an axis, -1..1. Without a signal the axis holds its target.
   void set_remote(std::size_t axis, std::optional<double> signal, Instant now);
-  /// Makes the axis follow this angle, in degrees, instead of the frame. Without an angle: as
-  /// tuned.
+  /// Makes the axis follow this angle, in degrees, instead of the frame. Without an angle, it
+  /// follows the tuning.
   void set_followed(std::size_t axis, std::optional<double> angle, Instant now);
 
   /// Reports the motion of the frame from an external system, which improves the stabilization for

@@ -86,7 +86,7 @@ class Line {
   /// Replaces the faults, for bytes sent from now on.
   void set_faults(const Faults& faults, Instant now);
 
-  /// Takes bytes of the sender.
+  /// Accepts bytes from the sender.
   void send(std::span<const std::uint8_t> bytes, Instant now);
   /// Free space in the sender's UART buffer. send() accepts more and queues it.
   std::size_t room(Instant now) const;

@@ -106,9 +106,9 @@ constexpr Optional<bool> parity_bit(std::uint8_t byte, Parity parity) noexcept {
   return std::popcount(byte) % 2 != 0;
 }
 
-/// Returns what a UART with the settings `receiver` receives if another sends `bytes` back to back
-/// on an idle line with the settings `sender`. Bytes without a stop bit or with a wrong parity are
-/// dropped.
+/// Returns the bytes that a UART with the settings `receiver` receives if another one sends `bytes`
+/// back to back on an idle line with the settings `sender`. Bytes without a stop bit or with a
+/// wrong parity are dropped.
 std::vector<std::uint8_t> received_as(std::span<const std::uint8_t> bytes,
                                       const LineSettings& sender, const LineSettings& receiver);
 

@@ -146,7 +146,7 @@ def _features(layout: Layout) -> list[dict[str, str]]:
     ]
 
 
-# Sections and keys that explain the protocol without defining it. Of special values, only the texts do.
+# Sections and keys that only explain the protocol. For special values, only the texts do.
 _PROSE_SECTIONS = {"errata", "revisions", "synonyms", "timeouts", "topics"}
 _PROSE = {"description", "document", "errata", "preparation", "source", "summary", "topics"}
 _EXPLAINED = {"special"}
@@ -155,9 +155,9 @@ _EXPLAINED = {"special"}
 def fingerprint(model: dict[str, Any]) -> str:
     """The first 64 bits of the SHA-256 digest of a model's meaning, as 16 hexadecimal digits.
 
-    It is equal for models with the same meaning: prose and the order of entries have no effect on it; names,
-    numbers, layouts and rules have. A later version of the generator may export more facts, which changes
-    it as well.
+    Models with the same meaning have equal fingerprints: prose and the order of entries have no effect;
+    names, numbers, layouts and rules do. A later version of the generator may export more facts, which
+    changes it as well.
     """
     sections = {name: section for name, section in model.items() if name not in _PROSE_SECTIONS}
     for name, section in sections.items():

@@ -12,7 +12,7 @@ from sbgcgen.model import StopValue, Struct, Until, element_of, field_rules
 from sbgcgen.model.export.types import deprecation, exponential, former_names, given, later_json
 from sbgcgen.model.export.types import number, version
 
-# Forms that readers of the export may rely on.
+# Forms that users of the export may rely on.
 _FORMS = ("simple", "extended", "success", "error")
 
 
@@ -224,7 +224,7 @@ def _context(context: Context, message: Message) -> dict[str, Any]:
 
 
 def _groups(fields: tuple[Field, ...], path: str = "") -> Iterator[tuple[str, Field]]:
-    """The groups of fields about which there is something to say, with their paths."""
+    """The groups of fields with facts of their own, and their paths."""
     for field in fields:
         name = path + field.name
         is_list = isinstance(field.type, Struct) and field.dim in ("counted", "rest")
@@ -257,7 +257,7 @@ def _group(path: str, field: Field) -> dict[str, Any]:
 
 
 def _leaf_in(leaf: Leaf, groups: list[tuple[str, Field]]) -> dict[str, Any]:
-    """A leaf of a message, with what the groups say that it is in."""
+    """A leaf of a message, including the facts of its groups."""
     result = _leaf(leaf)
     path = re.sub(r"\[\d*\]", "", leaf.path)
     for group in (field for name, field in groups if path.startswith(f"{name}.")):

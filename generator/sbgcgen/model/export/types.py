@@ -117,7 +117,7 @@ def _part(part: Part) -> dict[str, Any]:
 
 
 def exponential(quantity: Quantity | None) -> dict[str, Any]:
-    """How an exponential quantity grows: real = scale * ratio^(raw / over) + offset."""
+    """The growth of an exponential quantity: real = scale * ratio^(raw / over) + offset."""
     if quantity is None or not quantity.ratio:
         return {}
     return {"exponential": {"ratio": number(quantity.ratio), "over": quantity.over}}

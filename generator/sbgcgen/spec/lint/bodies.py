@@ -151,7 +151,7 @@ def _check_struct(struct: Struct, found: Diagnostics) -> None:
 
 
 def _check_grown_elements(layout: Layout, found: Diagnostics) -> None:
-    """A struct whose size grew has the same sizes in all lists, and no other place."""
+    """A struct that grew must have the same sizes in all lists, and must not be used elsewhere."""
     structs = {s.name: s for family in layout.families for s in family.structs}
     for fields in (*(m.fields for m in layout.messages), *(s.fields for s in structs.values())):
         for field in fields:
@@ -193,7 +193,7 @@ def _check_regions(message: Message, found: Diagnostics) -> None:
 
 
 def _check_groups(message: Message, found: Diagnostics) -> None:
-    """A group that depends on fields of the message is always present, and only there."""
+    """A group that depends on fields of the message must always be present, and only there."""
     for field in message.fields:
         if not isinstance(field.type, Struct) or not field.type.looks_outside:
             continue

@@ -67,7 +67,7 @@ def _check_forms(layout: Layout, found: Diagnostics) -> None:
 
 
 def _check_features(layout: Layout, found: Diagnostics) -> None:
-    """Boards must report each feature that something needs, or nobody knows who has it."""
+    """Boards must report each required feature, or nobody knows which boards have it."""
     told = {field.type for m in layout.messages for field, _, _ in layout.reports(m)}
     for flags in layout.feature_sets:
         if flags not in told:
@@ -106,7 +106,7 @@ def _check_until(layout: Layout, found: Diagnostics) -> None:
 
 
 def _can_hold(wide: Field, narrow: Field) -> bool:
-    """True if one field can hold every value of another of the same meaning."""
+    """True if one field can hold every value of another one with the same meaning."""
     if (wide.dim, wide.count, wide.when) != (narrow.dim, narrow.count, narrow.when):
         return False
     if wide.type == narrow.type:
@@ -171,7 +171,7 @@ def _check_stores(layout: Layout, found: Diagnostics) -> None:
 
 
 def _check_roles(layout: Layout, found: Diagnostics) -> None:
-    """Fields with a role must be in settings, where the role can be used."""
+    """Fields with a role must be in settings, where the role has an effect."""
     for settings in layout.settings:
         if not settings.readers:
             text = f"nothing reads the settings {settings.message.name} that a message stores"
@@ -224,7 +224,7 @@ def _check_copies(settings: Settings, found: Diagnostics) -> None:
 
 
 def _check_marked(settings: Settings, found: Diagnostics) -> None:
-    """Fields with the role "state" or "general" must be usable by code that knows only bytes."""
+    """Fields with the role "state" or "general" must be usable by code that only sees bytes."""
     tests = [test for when in conditions(settings.message) for test in when.tests]
     shaping = {test.source.split(".")[0] for test in tests if not test.from_context}
     for field in settings.message.fields:

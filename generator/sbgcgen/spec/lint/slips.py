@@ -1,4 +1,4 @@
-"""Rules for what a spec can say but hardly means, and for the spelling of the protocol's own names."""
+"""Rules for valid but unlikely content, and for the spelling of the protocol's own names."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from sbgcgen.spec.diagnostics import Diagnostics
 from sbgcgen.spec.load import Map, Spec
 from sbgcgen.spec.resolve.types import VARIABLE_ID
 
-# Digits of a limit that somebody has chosen, as in 1275 or 0.0125.
+# The number of digits of a deliberately chosen limit, as in 1275 or 0.0125.
 _DIGITS = 4
-# Limits of an angle that somebody has chosen, in degrees.
+# Deliberately chosen limits of angles, in degrees.
 _ANGLES = frozenset((0, 45, 90, 180, 270, 360))
 
 
@@ -60,7 +60,7 @@ def _check_flags(enum: Enum, found: Diagnostics) -> None:
 
 
 def _check_range(field: Field, found: Diagnostics) -> None:
-    """A range is in raw values; one in the unit of the field has odd limits in that unit."""
+    """A range is in raw values; a range in the unit of the field would have odd limits in that unit."""
     type_, low, high = field.type, field.minimum, field.maximum
     if not isinstance(type_, Quantity) or low is None or high is None or field.constant:
         return
@@ -86,7 +86,7 @@ def _is_chosen(limit: Fraction) -> bool:
 
 
 def _check_counter(field: Field, fields: tuple[Field, ...], found: Diagnostics) -> None:
-    """A counter without a limit of its own says nothing about the list."""
+    """A counter without a limit implies nothing about the list."""
     counter = next((f for f in fields if f.name == field.counter), None)
     if counter is None or counter.maximum is None or field.counting == "bits":
         return
@@ -100,7 +100,7 @@ def _check_counter(field: Field, fields: tuple[Field, ...], found: Diagnostics) 
 
 
 def _check_deprecation(message: Message, found: Diagnostics) -> None:
-    """Finds ranges of versions that end before they start. Fields of structs start with the message."""
+    """Finds version ranges that end before they start. Fields of structs start with the message."""
     for what, since, mark, at in (
         (message.name, message.since, message.deprecated, message.at),
         *((f"'{f.name}'", f.since, f.deprecated, f.at) for f in all_fields(message.fields)),
@@ -111,11 +111,11 @@ def _check_deprecation(message: Message, found: Diagnostics) -> None:
             found.add(at, "SBGC071", text, "'deprecated' has the first firmware to avoid it")
 
 
-# Types of the spec begin with an upper-case letter, built-in ones do not.
+# Types of the spec begin with an upper-case letter; built-in ones do not.
 _BUILT_IN = re.compile(r"[a-z]")
-# Parts of a field's name that are not the protocol's: index and placeholder.
+# Parts of a field's name that are not from the protocol: index and placeholder.
 _BRACKETS = re.compile(r"\[.*?\]|\{.*?\}")
-# The similarity from which the beginning of a name counts as a misspelled prefix.
+# The minimum similarity at which the beginning of a name counts as a misspelled prefix.
 _SIMILAR = 0.85
 
 

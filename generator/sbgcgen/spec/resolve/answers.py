@@ -182,7 +182,7 @@ def _why_not_repeated(field: Field | None) -> str:
 
 
 def _size_of_one(field: Field) -> int:
-    """The size of an integer, or of one of a list."""
+    """The size of an integer, or of an element of a list of integers."""
     scalar = scalar_of(field.type)
     return scalar.size if scalar else 0
 

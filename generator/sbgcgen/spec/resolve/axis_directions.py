@@ -1,4 +1,4 @@
-"""Resolves which way values count: the directions of the axes, and the fields that have one."""
+"""Resolves sign conventions: the directions of the axes, and the fields that have one."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ class DirectionResolver:
     def direction(
         self, node: Map, type_: Type, name: str, index: Collection[str]
     ) -> tuple[tuple[AxisDirection, ...] | None, str]:
-        """The directions in which a field may count, and its axis if it names one."""
+        """The possible directions of a field, and its axis if it names one."""
         is_directed = isinstance(type_, Quantity) and type_.is_directed
         if "directed" not in node:
             self._check_name(node, name, is_directed and not index)
@@ -65,7 +65,7 @@ class DirectionResolver:
         return self.directions, said
 
     def _check_name(self, node: Map, name: str, is_single: bool) -> None:
-        """A quantity that counts in a direction must say so if its name has a word for an axis."""
+        """A quantity with a sign convention must declare it if its name contains an axis."""
         named = [axis for axis in self.axes if axis in name.split("_")]
         if is_single and named:
             hint = f"write 'directed: {named[0]}', or 'directed: unknown'"

@@ -1,4 +1,4 @@
-"""Resolves the effects that requests may have, and those of a request."""
+"""Resolves the possible effects of requests, and those of each request."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class EffectResolver:
         return EffectKind(word, str(nodes[word]["summary"]), str(nodes[word].get("risk", "")))
 
     def effect(self, owner: Map, fields: tuple[Field, ...]) -> Effect | None:
-        """Resolve the value of `effect:`, which is one word, several, or cases."""
+        """Resolve the value of `effect:`, which is one word, several words, or cases."""
         node = owner.get("effect")
         if node is None:
             return None

@@ -1,8 +1,8 @@
 """Resolves typical values and the values of worked examples.
 
-The spec has them in readable form: a quantity in its unit, an enum by name, flags as a list of
-names, a packed integer as a mapping of its parts, bytes in hex. The results have the form of
-messages in JSON, with raw numbers.
+The spec has them in readable form: a quantity in its unit, an enum by name, flags as a list of names,
+a packed integer as a mapping of its parts, bytes in hex. The results have the form of messages in
+JSON, with raw numbers.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ class ExampleReader:
     """Turns `typical` and `example` into raw values; findings go into `found`."""
 
     def __init__(self, found: Diagnostics, broken: set[str]) -> None:
-        """`broken` names the packed integers whose types did not resolve, which is reported."""
+        """`broken` names the packed integers whose types did not resolve, as reported before."""
         self.found = found
         self._broken = broken
         self.untyped: set[str] = set()  # names of fields whose type did not resolve
@@ -99,7 +99,7 @@ class ExampleReader:
         return tuple(pattern)
 
     def _is_broken(self, type_: Type) -> bool:
-        """True if values of a type cannot be read because the type has a finding."""
+        """True if values of a type cannot be parsed because the type has a finding."""
         if isinstance(type_, Struct):
             return any(self._is_broken(member.type) for member in type_.fields)
         return isinstance(type_, Packed) and type_.name in self._broken
@@ -287,7 +287,7 @@ def _number(type_: Type, scalar: Scalar, node: Any) -> int | float:
 
 
 def _check(field: Field, scalar: Scalar, value: int | float) -> None:
-    """Raises _Unfit unless the value may be sent."""
+    """Raise _Unfit unless the value may be sent."""
     if any(special.value == value for special in field.special):
         return
     low = scalar.minimum if field.minimum is None else field.minimum

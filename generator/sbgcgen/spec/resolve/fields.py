@@ -70,8 +70,8 @@ class FieldResolver:
     ) -> Struct:
         """The resolved struct with this name.
 
-        A tagged union, or a group with an element for each of the `words` of an index, may refer to fields
-        `around` it.
+        A tagged union, or a group with an element for each of the `words` of an index, may refer to
+        surrounding fields (`around`).
         """
         if name not in self.structs:
             family, node, at = self._nodes[name]
@@ -99,7 +99,7 @@ class FieldResolver:
         return self.structs[name]
 
     def grown(self, struct: Struct, since: Availability) -> Struct:
-        """The struct of a list's elements with all sizes that they have had; see sizes.py."""
+        """The struct of a list's elements with all their historical sizes; see sizes.py."""
         result = grown(struct, since)
         known = self.structs[struct.name]
         self.structs[struct.name] = known if known == result else result
@@ -318,7 +318,7 @@ class FieldResolver:
     def _broken_field(
         self, name: FieldName | None, node: Map, at: Position, text: str, owner: str
     ) -> None:
-        """Check what remains of a field without a valid name or type."""
+        """Check the rest of a field without a valid name or type."""
         if name is None:
             hint = "NAME, NAME[axis], NAME[6], NAME[COUNT], NAME[], NAME_{AXIS} or NAME{1..5}"
             self.found.add(at, "SBGC031", f"'{text}' is not a field name", hint)
@@ -343,7 +343,7 @@ class FieldResolver:
         earlier: list[Field],
         in_struct: bool,
     ) -> dict[str, Any]:
-        """How many elements and bytes a field has, as members of Field."""
+        """The numbers of elements and bytes of a field, as members of Field."""
         dim, count, index, counter = self._dimension(name, at, earlier, in_struct)
         by = next((f for f in earlier if f.name == counter), None)
         part = _counter_part(by, str(name.index))
@@ -378,7 +378,7 @@ class FieldResolver:
         counter: str,
         part: Part | None,
     ) -> int:
-        """The most elements that fit into a body after the fields before them."""
+        """The maximum number of elements that fit into a body after the preceding fields."""
         most = self.room(earlier) // max(1, min_size_of(type_))
         if counting == "bits":
             flags = next(f.type for f in earlier if f.name == counter)
@@ -388,7 +388,7 @@ class FieldResolver:
         return most
 
     def room(self, earlier: Sequence[Field]) -> int:
-        """The most bytes of a body that are left after these fields."""
+        """The maximum number of bytes that remain in a body after these fields."""
         return max(0, self.max_body - sum(f.size or 0 for f in earlier if not f.is_variable))
 
     def _default(self, node: Map, type_: Type, text: str) -> int:
@@ -443,7 +443,7 @@ class FieldResolver:
             self.found.add(node.at("used_when"), "SBGC026", text, hint)
 
     def _counting(self, node: Map, counter: str, earlier: list[Field]) -> str:
-        """How the counter of a list counts."""
+        """The counting method of a list's counter."""
         words = [key for key in ("counted_in", "counted_from") if key in node]
         by_name = {f.name: f for f in earlier}
         type_ = by_name[counter].type if counter in by_name else None

@@ -11,7 +11,7 @@ from sbgcgen.spec.resolve.entries import Entries
 
 # The largest value of the size byte.
 _MOST = 255
-# The text of which catalogues of cyclic redundancy checks state the value.
+# The text whose check value is listed in catalogues of cyclic redundancy checks.
 _CHECK_TEXT = b"123456789"
 # The parameters of a cyclic redundancy check.
 _CRC_KEYS = ("polynomial", "initial", "reflect_in", "reflect_out", "final_xor", "check")
@@ -25,7 +25,7 @@ def framings_of(nodes: Map, entries: Entries, found: Diagnostics) -> tuple[Frami
 
 
 def _check_together(framings: Sequence[Framing], nodes: Map, found: Diagnostics) -> None:
-    """A start byte must say which framing follows, and whose header it is must not matter."""
+    """A start byte must identify its framing, and all headers must be interchangeable."""
     first = framings[0]
     if first.since:
         text = f"the first framing, '{first.name}', is not in every firmware"
@@ -102,7 +102,7 @@ def _checksum(name: str, node: Map, found: Diagnostics) -> Checksum:
 
 
 def _check_parts(framing: Framing, node: Map, found: Diagnostics) -> None:
-    """Every part must have one place, and the start byte must be first."""
+    """Every part must have exactly one position, and the start byte must be first."""
     names = [checksum.name for checksum in framing.checksums]
     header = [START, ID, SIZE, *names]
     for key, parts, known in (
@@ -126,7 +126,7 @@ def _check_parts(framing: Framing, node: Map, found: Diagnostics) -> None:
 
 
 def _check_checksums(framing: Framing, nodes: Map, found: Diagnostics) -> None:
-    """Every checksum must have a place, and cover only parts before it."""
+    """Every checksum must have a position, and cover only parts before it."""
     for checksum in framing.checksums:
         name, node = checksum.name, nodes[checksum.name]
         if name in (START, ID, SIZE, BODY):

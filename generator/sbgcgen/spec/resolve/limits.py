@@ -1,4 +1,4 @@
-"""Resolves the valid values of a field: its range and special values. Also what it means in later firmware."""
+"""Resolves the valid values of a field: its range and special values; and its later meanings."""
 
 from __future__ import annotations
 
@@ -79,7 +79,7 @@ class LaterResolver:
         self.found = found
 
     def later(self, node: Map, field: Field) -> tuple[Later, ...]:
-        """The meanings of a field, the first one first; each says what differs from the one before."""
+        """The meanings of a field, the first one first; each states the differences from the previous one."""
         result: list[Later] = []
         known = Later(field.since, field.type, field.minimum, field.maximum, field.summary)
         for said in node.get("later", []):
@@ -122,7 +122,7 @@ class LaterResolver:
 
 
 def _check_field(field: Field) -> None:
-    """Only numbers without another rule for their meaning have a later one."""
+    """Only numbers without another rule for their meaning can have a later one."""
     problem = ""
     if scalar_of(field.type) is None:
         problem = "is not a number"

@@ -79,7 +79,7 @@ class MessageResolver:
         side = node[direction]
         forms = side.get("forms", {None: side})
         base = camel_case(command.name.removeprefix(self.types.spec.command_prefix))
-        # One direction of a command may have the same body, and thus the name, of the other.
+        # One direction of a command may have the same body, and thus the same name, as the other.
         is_shared = any(node[d].get("same_as") == base for d in DIRECTIONS if d in node)
         if direction == "to_board" and "from_board" in node and not is_shared:
             base += "Request"
@@ -336,7 +336,7 @@ class MessageResolver:
     ) -> tuple[Field, ...]:
         """Mark the fields at the end that later versions appended.
 
-        With a `size`, the bytes of such fields were reserved before.
+        With a `size`, such fields were reserved bytes before.
         """
         if "size" in draft.node:
             self._check_size(draft, fields)
@@ -355,7 +355,7 @@ class MessageResolver:
         )
 
     def _check_later(self, draft: _Draft, fields: tuple[Field, ...], since: Availability) -> None:
-        """Report later fields without bytes in the bodies of older firmware."""
+        """Report later fields whose bytes are missing in the bodies of older firmware."""
         for field in fields:
             if field.when or field.dim == "rest":
                 continue
@@ -367,7 +367,7 @@ class MessageResolver:
     def _with_grown_elements(
         self, fields: tuple[Field, ...], since: Availability
     ) -> tuple[Field, ...]:
-        """The fields, with all sizes of the elements if the last one is a list that grew."""
+        """The fields; if the last one is a list that grew, with all sizes of its elements."""
         last = fields[-1] if fields else None
         if last is None or not may_grow(last) or not isinstance(last.type, Struct):
             return fields
@@ -386,7 +386,7 @@ class MessageResolver:
         return (*fields[:-1], replace(last, type=struct, size=None, capacity=capacity))
 
     def _check_elements(self, of: Field, struct: Struct, since: Availability) -> None:
-        """Report members of elements that came later, and that a decoder cannot tell apart."""
+        """Report later members of elements whose presence a decoder cannot detect."""
         for field in struct.fields:
             if field.since.is_after(since) and not (field.when or field.appended):
                 text = f"older elements of '{of.name}' may have no bytes for '{field.name}'"
@@ -399,7 +399,7 @@ class MessageResolver:
                 self._check_elements(of, field.type, since)
 
     def _check_earlier(self, nodes: list[Any], owner: str, since: Availability) -> None:
-        """Report fields that are said to be older than their message."""
+        """Report fields that are declared older than their message."""
         for node in nodes:
             firmware = self.types.availability(node).firmware
             if firmware and firmware < since.firmware:

@@ -15,7 +15,7 @@ from sbgcgen.spec.load import Map
 from sbgcgen.spec.resolve.types import VARIABLE_ID, TypeResolver
 
 _RULE = "SBGC026"
-# The words of conditions on each kind of value.
+# The words for conditions on each kind of value.
 _WORDS = {
     "a flag set": ("has", "any", "has_not"),
     "an enum": ("is", "is_not"),
@@ -36,7 +36,7 @@ class Outside:
 
 @dataclass(frozen=True)
 class _Source:
-    """The number that a condition looks at: its path, its type, and the part of a packed value."""
+    """The number that a condition tests: its path, its type, and the part of a packed value."""
 
     path: str
     type: Type
@@ -58,7 +58,7 @@ class _Source:
 
     @property
     def kind(self) -> str:
-        """The key in _WORDS; "" if there is no condition on such a value."""
+        """The key in _WORDS; "" if such a value allows no condition."""
         if self.enum is not None:
             return "a flag set" if self.enum.kind == "flags" else "an enum"
         is_integer = isinstance(self.type, (Scalar, Quantity)) and self.limits is not None
@@ -98,7 +98,7 @@ class ReferenceResolver:
         contexts: tuple[Context, ...],
         outside: Outside = Outside(),
     ) -> Condition | None:
-        """The condition under `when`, on a context, or on fields that are `earlier` or `outside`."""
+        """The condition under `when`, on a context, or on `earlier` or `outside` fields."""
         when = node.get("when")
         return self._condition(when, earlier, contexts, outside) if isinstance(when, Map) else None
 
@@ -185,7 +185,7 @@ class ReferenceResolver:
         )
 
     def _check_clauses(self, when: Map, chosen: dict[str, tuple[Any, ...]]) -> None:
-        """Report clauses without bits, and those that contradict each other."""
+        """Report clauses without bits, and contradictory ones."""
         for word in ("has", "any", "has_not"):
             if chosen[word] and not any(flag.value for flag in chosen[word]):
                 message = f"{chosen[word][0].name} has no bits, so it is always set"
@@ -209,7 +209,7 @@ class ReferenceResolver:
         return tuple(result)
 
     def alternative(self, node: Map, siblings: list[Field]) -> Alternative | None:
-        """The alternative unit of a field, and the flag that selects it, perhaps of its group."""
+        """The alternative unit of a field, and the flag that selects it, possibly in its group."""
         other = node.get("alternative")
         if not isinstance(other, Map):
             return None
@@ -317,7 +317,7 @@ def _at(field: Field, wanted: str) -> _Source:
 
 
 def _check_sense(condition: Condition, source: _Source) -> None:
-    """A condition on an integer holds for some of its values, and not for all."""
+    """A condition on an integer must hold for some of its values, but not for all."""
     if source.enum is not None or source.limits is None:
         return
     lowest, highest = source.limits
@@ -334,7 +334,7 @@ def _check_sense(condition: Condition, source: _Source) -> None:
 
 
 def _check_words(when: Map, source: _Source) -> None:
-    """A condition names values of its source, with the words for its kind."""
+    """A condition must name values of its source, with the words for its kind."""
     wanted, kind = when.get("context", when.get("field")), source.kind
     words = [word for word in _ALL if word in when]
     hint = f"use '{_WORDS[kind][0]}' for it"

@@ -14,7 +14,7 @@ from sbgcgen.spec.resolve.versions import KINDS
 # Limit of the runtime in bytes.
 MAX_CONFIG = 8
 _UNITS = {"s": 1_000_000, "ms": 1000, "us": 1}
-# The required and the optional fields of each role; below, its other keys.
+# The required and the optional fields of each role, followed by other keys.
 _PARTS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
     "confirmation": (("command",), ()),
     "error": ((), ("code", "command")),

@@ -84,7 +84,7 @@ def max_size_of(type_: Type, limit: int) -> int:
 
 
 def offsets_in_union(members: tuple[Field, ...]) -> Iterator[Field]:
-    """The fields of a tagged union, with their offsets if these are the same in all its cases."""
+    """The fields of a tagged union, with their offsets if these are the same in all cases."""
     for index, member in enumerate(members):
         shared = [_is_beside(other, member) for other in members[:index]]
         sizes = [other.size or 0 for other, is_beside in zip(members, shared) if is_beside]
@@ -104,9 +104,9 @@ def _is_beside(other: Field, member: Field) -> bool | None:
 
 
 def grown(struct: Struct, since: Availability) -> Struct:
-    """The struct of a list that exists since `since`, with the sizes that its elements have had.
+    """The struct of a list that exists since `since`, with the historical sizes of its elements.
 
-    It is the same struct if they did not grow, or in a way that a decoder cannot follow.
+    It is the same struct if they did not grow, or grew in a way that a decoder cannot detect.
     """
     first = len(struct.fields)
     while first and struct.fields[first - 1].since.is_after(since):
@@ -132,14 +132,14 @@ def grown(struct: Struct, since: Availability) -> Struct:
 
 
 def may_grow(field: Field) -> bool:
-    """True for a list of structs of which the rest of the body tells how large an element is."""
+    """True for a list of structs whose element size follows from the rest of the body."""
     is_list = field.dim in ("counted", "rest") and not field.index
     is_plain = field.when is None and field.counting != "bytes"
     return is_list and is_plain and isinstance(field.type, Struct)
 
 
 def confused(sizes: tuple[int, ...], room: int) -> tuple[int, int, int] | None:
-    """Two sizes of elements, and a number of bytes that is a list of either kind."""
+    """Two element sizes, and a number of bytes that is a list of either size."""
     for one, other in combinations(sizes, 2):
         if lcm(one, other) <= room:
             return one, other, lcm(one, other)

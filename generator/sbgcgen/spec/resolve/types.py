@@ -15,7 +15,7 @@ from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
 from sbgcgen.spec.load import Map, Spec, directions_of
 from sbgcgen.spec.resolve.entries import Entries
 
-# An enum that is derived from the section `variables`, as COMMAND_IDS are from `commands`.
+# An enum derived from the section `variables`, as COMMAND_IDS are from `commands`.
 VARIABLE_ID = "VariableId"
 
 
@@ -100,7 +100,7 @@ class TypeResolver(Entries):
         )
 
     def _exponential(self, name: str, node: Map) -> tuple[Fraction, int]:
-        """The ratio of an exponential quantity, or 0, and the raw values over which it grows by that."""
+        """The ratio of an exponential quantity, or 0, and the number of raw steps for one ratio."""
         if "exponential" not in node:
             return Fraction(0), 1
         said = node["exponential"]
@@ -120,7 +120,7 @@ class TypeResolver(Entries):
         return ratio, over
 
     def _command_ids(self, direction: str) -> Enum:
-        """The command ids of one direction; in the other one they may mean other commands."""
+        """The command ids of one direction; in the other one they may be other commands."""
         values = []
         prefix = self.spec.command_prefix
         for _, name, value, at in self.spec.entries("commands"):
@@ -245,7 +245,7 @@ class TypeResolver(Entries):
                 self.found.add(value.at, "SBGC012", message, "give one of them a name with 'as'")
 
     def _check_former(self, name: str, values: list[EnumValue]) -> None:
-        """Former names are new ones; a meaning changes after the value came."""
+        """Former names must be unused; a meaning must change after the value was introduced."""
         taken = {value.identifier: value.name for value in values}
         for value in values:
             for alias in value.aliases:

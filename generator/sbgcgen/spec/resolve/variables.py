@@ -81,7 +81,7 @@ class VariableResolver:
                 yield setting
 
     def _place(self, text: str) -> tuple[Message, Leaf]:
-        """The message and the value in it at `Message.path`."""
+        """The message, and its value at `Message.path`."""
         name, _, path = text.partition(".")
         message = self.messages.get(name)
         if message is None:
@@ -147,7 +147,7 @@ def _setting(
 
 
 def _check_values(text: str, setting: VariableSetting, limits: tuple[int, int]) -> None:
-    """Every value of the variable must be one of the setting, and the reverse."""
+    """Every value of the variable must be a value of the setting, and vice versa."""
     if any(value + 1 in setting.special for value in setting.special):
         problem = f"a value between two special ones of '{text}' has no raw value"
         raise Mistake("SBGC044", problem, "give the variable the type of the setting")

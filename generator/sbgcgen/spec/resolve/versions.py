@@ -67,7 +67,7 @@ def _is_written(packed: Packed) -> bool:
 
 
 def _example(packed: Packed) -> int:
-    """A version in which no part is 0."""
+    """A version with no zero parts."""
     number = 0
     for count, part in enumerate(sorted(packed.parts, key=lambda p: -p.divide), start=2):
         number += count * part.divide << part.shift

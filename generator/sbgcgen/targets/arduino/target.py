@@ -1,4 +1,4 @@
-"""The parts of the library that need no operating system, as a library for Arduino and PlatformIO."""
+"""The freestanding parts of the library, as a library for Arduino and PlatformIO."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from sbgcgen.targets import Target, View
 
 
 class Arduino(Target):
-    """The Arduino library. It is not committed, because it repeats the headers that are."""
+    """The Arduino library. It is not committed, because it repeats committed headers."""
 
     committed = False
     help = (

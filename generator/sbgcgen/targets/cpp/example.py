@@ -1,6 +1,6 @@
 """The parts of worked examples in C++; templates/example.jinja writes them.
 
-A message is built by steps, and read by looks at some of its values.
+A message is built by steps, and printed by looks at some of its values.
 """
 
 from __future__ import annotations
@@ -18,10 +18,10 @@ from sbgcgen.oracle.example import Example, Piece, physical
 from sbgcgen.oracle.typical import typical_number
 from sbgcgen.views.code import decimal, flags_of, parts_that_make, unit_name, value_named
 
-# How many changed bytes are assigned one by one.
+# The maximum number of changed bytes that are assigned one by one.
 _SINGLE_BYTES = 8
 _WIDTH = 100
-# How printf prints what is no int.
+# The printf formats for types other than int.
 _FORMS = {
     "u24": "%u",
     "u32": "%u",
@@ -34,7 +34,7 @@ _FORMS = {
 
 @dataclass(frozen=True)
 class Step:
-    """A statement or two that build a message. `to` is what they change.
+    """One or two statements that build a message. `to` is their target.
 
     `kind`: "emplace", "resize" (to `value` elements), "append" (the bytes `value`), "byte", "number"
     (of the announced `type`, its bits), or "assign" (a value of `type`).
@@ -50,9 +50,9 @@ class Step:
 
 @dataclass(frozen=True)
 class Look:
-    """A statement that prints something about a value, and what it prints.
+    """A statement that prints something about a value, and its output.
 
-    What a `printf` prints begins with `text`; `value` is the enumerator or flag that is looked for.
+    The output of a `printf` begins with `text`; `value` is the enumerator or flag to look for.
     """
 
     kind: str
@@ -66,7 +66,7 @@ class Look:
 
 
 def access_of(path: str, missing: frozenset[str]) -> str:
-    """How C++ reaches a value of `message`; `missing` are the paths of what may be missing."""
+    """The C++ expression for a value of `message`; `missing` are the paths that may be missing."""
     text, arrow, at = "message", ".", ""
     for word in re.findall(r"\w+|\[\d+\]", path):
         is_index = word.startswith("[")
@@ -85,7 +85,7 @@ def access_of(path: str, missing: frozenset[str]) -> str:
 def steps_of(example: Example) -> list[Step]:
     """The steps that give a message its values.
 
-    What is zero needs none; nor does what is still as it was read.
+    Zeros need none; nor do values that are unchanged since reading.
     """
     return list(_Builder(example).fields(example.message.fields, example.fields, ""))
 
@@ -103,7 +103,7 @@ class _Builder:
                 yield from self._field(field, values[field.name], name)
 
     def _is_changed(self, path: str) -> bool:
-        """Whether something at a path, or in it, is not as it was read."""
+        """True if something at a path, or below it, differs from what was read."""
         starts = (f"{path}.", f"{path}[")
         return self.changed is None or any(
             other == path or other.startswith(starts) for other in self.changed
@@ -155,7 +155,7 @@ class _Builder:
             yield whole
 
     def _single_bytes(self, piece: Piece, to: str) -> Iterator[Step]:
-        """Assignments to single bytes, if few of those that were read change."""
+        """Assignments to single bytes, if few of the bytes that were read change."""
         changed = {} if piece.may_be_missing else self.example.changed_bytes(piece)
         if len(changed) <= _SINGLE_BYTES:
             yield from (Step("byte", f"{to}[{i}]", byte) for i, byte in changed.items())
@@ -215,7 +215,7 @@ def _looks(piece: Piece, missing: frozenset[str]) -> Iterator[Look]:
 
 
 def number_and_output(quantity: Quantity) -> tuple[int | float, tuple[str, str]]:
-    """An ordinary raw number, and what is printed of it: itself, and what it is worth."""
+    """An ordinary raw number, and the output for it: itself, and its physical value."""
     raw = typical_number(quantity)
     line = f"on the line: {raw:g}" if quantity.scalar.is_float else f"on the line: {raw}"
     return raw, (line, f"real value: {physical(raw, quantity)}")
@@ -225,7 +225,7 @@ def number_and_output(quantity: Quantity) -> tuple[int | float, tuple[str, str]]
 
 
 def has_literal(code: str) -> bool:
-    """Whether a literal of a quantity, such as 45_deg, is in it."""
+    """True if the code contains a literal of a quantity, such as 45_deg."""
     return re.search(r"\b[0-9.]+_[A-Za-z]", code) is not None
 
 

@@ -18,7 +18,7 @@ def comment(text: str, indent: int = 0, width: int = LINE, mark: str = "/// ") -
     """Text as comment lines, wrapped; the first line is not indented."""
     text = " ".join(text.replace("??", "? ?").split())
     room = width - indent - len(mark)
-    # Most texts fit on a line, and wrap() takes long.
+    # Most texts fit on one line, and wrap() is slow.
     lines = [text] if len(text) <= room else textwrap.wrap(text, room)
     # A backslash at the end of a line would make the next one part of the comment.
     lines = [f"{line} ." if line.endswith("\\") else line for line in lines]
@@ -26,7 +26,7 @@ def comment(text: str, indent: int = 0, width: int = LINE, mark: str = "/// ") -
 
 
 def documented(code: str, text: str, indent: int) -> str:
-    """A declaration with its comment: behind it if there is room, else before it."""
+    """A declaration with its comment: after it if there is room, else before it."""
     line = f"{code}  ///< {' '.join(text.split())}"
     if indent + len(line) <= LINE and "\\" not in text and "??" not in text:
         return line
@@ -34,7 +34,7 @@ def documented(code: str, text: str, indent: int) -> str:
 
 
 def c_string(text: str) -> str:
-    """Text as a C string literal, in which nothing looks like a trigraph."""
+    """Text as a C string literal, without anything that looks like a trigraph."""
     return _quoted(text).replace("??", "?\\?")
 
 
@@ -58,7 +58,7 @@ def statement(text: str, indent: int) -> str:
 
 
 def in_lines(items: str, indent: int) -> str:
-    """Items, one on each line, as a list with commas; on as few lines as possible, with this indent."""
+    """Items as a comma-separated list, filled into as few lines as possible, with this indent."""
     lines = [""]
     for item in filter(None, items.splitlines()):
         if lines[-1] and indent + len(lines[-1]) + len(item) + 2 > LINE:
@@ -70,7 +70,7 @@ def in_lines(items: str, indent: int) -> str:
 def attribute(message: Message) -> str:
     """The attribute of a message that is deprecated in every firmware.
 
-    Members have none: g++ warns where an object is made, even if nothing uses the member.
+    Members have none: g++ warns when an object is constructed, even if nothing uses the member.
     """
     mark = message.deprecated
     if mark is None or mark.since:
@@ -85,7 +85,7 @@ def units(quantities: Iterable[Quantity]) -> list[Quantity]:
 
 
 def later_units(fields: Iterable[Field]) -> list[Field]:
-    """The members that are always there, and that later firmware has in another unit."""
+    """The members that are always present, and whose unit changes in later firmware."""
     return [
         f
         for f in fields

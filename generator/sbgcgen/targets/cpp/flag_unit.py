@@ -1,4 +1,4 @@
-"""Fields whose unit a flag of the message chooses, and how C++ reaches field and flag."""
+"""Fields whose unit is selected by a flag of the message, and the C++ access to field and flag."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ class FlagUnit:
     """A field of a message in either of two units.
 
     `elements` is the list, `index` of which has the field at `member` (with its dot); `flags` is
-    where the flag is. If all elements have one flag, it `is_common`.
+    the path of the flag. If all elements share one flag, it `is_common`.
     """
 
     name: str
@@ -33,7 +33,7 @@ class FlagUnit:
 
 
 def flag_units(message: Message) -> list[FlagUnit]:
-    """The fields with two units that one index, or none, leads to and that are always there."""
+    """The fields with two units that are always present and reached by at most one index."""
     found = [unit for path in _paths(message.fields, ()) if (unit := _flag_unit(message, path))]
     names = Counter(unit.name for unit in found)
     full = [replace(u, name=(u.elements + u.member).replace(".", "_")) for u in found]
@@ -41,7 +41,7 @@ def flag_units(message: Message) -> list[FlagUnit]:
 
 
 def _paths(fields: tuple[Field, ...], path: tuple[Field, ...]) -> Iterator[tuple[Field, ...]]:
-    """Those of the fields with two units."""
+    """The paths of the fields with two units."""
     for field in fields:
         if field.when is not None:
             continue
@@ -82,5 +82,5 @@ def _flag_unit(message: Message, path: tuple[Field, ...]) -> FlagUnit | None:
 
 
 def _is_alike(one: Field, other: Field) -> bool:
-    """Whether both have an element for the same indices."""
+    """True if both have elements for the same indices."""
     return one.dim == other.dim and one.dim in ("axis", "xyz")

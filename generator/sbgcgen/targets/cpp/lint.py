@@ -1,4 +1,4 @@
-"""Names that C++, or the code around them, needs for itself."""
+"""Names that are reserved by C++ or by surrounding code."""
 
 from __future__ import annotations
 
@@ -29,12 +29,12 @@ TYPES = frozenset(
     Form Members Number NumberType NumberTypes Optional Physical ResponsePolicy StreamChange
     Text I24 U24 Xyz""".split()
 )
-# Members that every generated message, struct, packed integer and quantity has of its own.
+# Members that every generated message, struct, packed integer and quantity has.
 _MEMBERS = ("varying_members", "tagged_unions")
 _MESSAGE = frozenset(
     ("command", "direction", "form", "min_size", "max_size", "since", "tail", "until", *_MEMBERS)
 )
-# Types that messages have inside.
+# Nested types of messages.
 _INNER_TYPES = frozenset(("Context", "Response"))
 _STRUCT = frozenset(("wire_size", "element_sizes", *_MEMBERS))
 _PACKED = frozenset(("raw", "raw_", "raw_type", "named", "set"))
@@ -44,12 +44,12 @@ _QUANTITY = frozenset(
 
 
 def can_be_a_name(word: str) -> bool:
-    """Whether C++ takes `word`; two underscores belong to the compiler."""
+    """True if C++ reserves `word`; two underscores belong to the compiler."""
     return "__" not in word and word not in WORDS
 
 
 def check_names(spec: Spec, layout: Layout, found: Diagnostics) -> None:
-    """Report every name that the headers could not have; findings go into `found`."""
+    """Report every name that is impossible in the headers; findings go into `found`."""
     for at, name, hint in _all_names(spec, layout):
         if not can_be_a_name(name):
             found.add(at, "SBGC022", f"'{name}' cannot be a name in C++", hint)
@@ -95,7 +95,7 @@ def check_names(spec: Spec, layout: Layout, found: Diagnostics) -> None:
 
 
 def _all_names(spec: Spec, layout: Layout) -> Iterator[tuple[Position, str, str]]:
-    """Names with their places, and what to do if one of them cannot stay."""
+    """Names with their positions, and advice if one of them is impossible."""
     for words in spec.main.get("indices", {}).values():
         for word, at in zip(words, words.items_at):
             yield at, word.lower(), "call the element by another name"
@@ -143,7 +143,7 @@ def _check_members(
 
 
 def _check_units(layout: Layout, found: Diagnostics) -> None:
-    """A unit is the name of a type, which has the accessors, and of its literals, as in 45_deg."""
+    """A unit is the name of a type with the accessors, and of its literals, as in 45_deg."""
     seen: dict[str, Quantity] = {}
     for quantity in layout.quantities:
         name = unit_name(quantity)
@@ -160,7 +160,7 @@ def _check_units(layout: Layout, found: Diagnostics) -> None:
 
 
 def _check_flag_units(message: Message, found: Diagnostics) -> None:
-    """A field with two units brings functions along."""
+    """A field with two units adds functions."""
     members = {f"{word}_{unit.name}" for unit in flag_units(message) for word in ("set", "real")}
     for field in message.fields:
         if field.name in members:
@@ -193,7 +193,7 @@ def _check_flags(enums: Iterable[Enum], types: dict[str, Position], found: Diagn
 
 
 def _check_framing(framing: Framing, nodes: Map, found: Diagnostics) -> None:
-    """The runtime implements one header, and one checksum behind the body (<sbgc/framing.hpp>)."""
+    """The runtime implements one header, and one checksum after the body (<sbgc/framing.hpp>)."""
     node = nodes[framing.name]
     hint = "the C++ code has no other: extend <sbgc/framing.hpp> first"
     names = [(framing.name, nodes.at(framing.name))]

@@ -1,4 +1,4 @@
-"""C++20 headers: structs, codecs, and what the runtime knows of the protocol."""
+"""C++20 headers: structs, codecs, and the runtime's facts about the protocol."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from sbgcgen.targets.render import environment
 
 
 class Cpp(Target):
-    """The headers, C++ in worked examples, and names that C++ cannot have."""
+    """The headers, C++ in worked examples, and names that are impossible in C++."""
 
     def view(self, layout: Layout, project: Path) -> View:
         return View(filters=FILTERS)
@@ -29,7 +29,7 @@ class Cpp(Target):
     def examples(self, example: Example) -> list[Code]:
         """The codes of a host: with the client, and with the codec alone.
 
-        They send or encode what goes to the board, and receive or decode the rest.
+        They send or encode messages to the board, and receive or decode the others.
         """
         message = example.message
         if message.in_both_directions or message.direction == "to_board":

@@ -14,15 +14,15 @@ from sbgcgen.views.code import attribute_name, decimal, enum_name, flags_of, par
 from sbgcgen.views.code import value_named
 
 _WIDTH = 80
-# How many bytes are on a line.
+# The number of bytes per line.
 _RUN = 16
-# How many changed bytes are assigned one by one.
+# The maximum number of changed bytes that are assigned one by one.
 _SINGLE_BYTES = 8
 
 
 @dataclass(frozen=True)
 class Call:
-    """An expression with others in it, which take a line each if there is no room for all."""
+    """An expression with nested ones, which get a line each if they do not fit on one."""
 
     head: str
     parts: tuple[tuple[str, Code], ...]
@@ -55,7 +55,7 @@ def _one_line(code: Code) -> str:
 
 
 def _hex(data: bytes) -> Code:
-    """Bytes, which take several lines if they are many."""
+    """Bytes, split into several lines if there are many."""
     runs = [f'"{data[at : at + _RUN].hex(" ").upper()}"' for at in range(0, len(data), _RUN)]
     if len(runs) < 2:
         return f"bytes.fromhex({''.join(runs) or repr('')})"
@@ -85,7 +85,7 @@ def encoding(example: Example) -> str:
 
 
 def decoding(example: Example) -> tuple[str, tuple[str, ...]]:
-    """A program that decodes the frame of an example, and what it prints."""
+    """A program that decodes the frame of an example, and its output."""
     names = {"decode"}
     lines, known = [], ""
     if example.before:
@@ -106,12 +106,12 @@ def decoding(example: Example) -> tuple[str, tuple[str, ...]]:
 
 
 def _access(path: str) -> str:
-    """How Python reaches a value of `message`."""
+    """The Python expression for a value of `message`."""
     return "message." + ".".join(map(attribute_name, path.split(".")))
 
 
 def _is_raw(field: Field, value: Any) -> bool:
-    """Whether only the number on the wire says what is meant."""
+    """True if only the raw number expresses the meaning."""
     is_special = any(special.value == value for special in field.special)
     return bool(field.variable) or (isinstance(field.type, Quantity) and is_special)
 
@@ -136,7 +136,7 @@ class _Maker:
                     yield f"{attribute_name(field.name)}=", code
 
     def changes(self) -> Iterator[str]:
-        """Assignments of what differs from what was read."""
+        """Assignments of values that differ from what was read."""
         for piece in self.example.pieces:
             if piece.path in self.example.changed:
                 to = _access(piece.path)
@@ -152,7 +152,7 @@ class _Maker:
             yield f"{to} = data"
 
     def _field(self, field: Field, value: Any, path: str) -> Code:
-        """The value of a field; "" if it is what a new message has."""
+        """The value of a field; "" if it equals that of a new message."""
         if is_bytes(field):
             return _hex(bytes.fromhex(value)) if value else ""
         if field.dim == "one":
@@ -179,7 +179,7 @@ class _Maker:
         return _value(piece.type, value)
 
     def _is_said(self, path: str) -> bool:
-        """Whether something in a list is not zero."""
+        """True if something in a list is not zero."""
         return any(any(p.data) for name, p in self.pieces.items() if name.startswith(f"{path}["))
 
 
@@ -246,7 +246,7 @@ def _look(piece: Piece) -> tuple[str, str]:
 
 
 def _flags(type_: Enum, bits: int) -> str:
-    """Flags as Python shows them: those with a name, and the rest as a number."""
+    """Flags as Python shows them: the named ones, and the rest as a number."""
     said, rest = [], bits
     for flag in type_.values:
         if flag.value and rest & flag.value == flag.value:

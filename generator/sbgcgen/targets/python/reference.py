@@ -33,7 +33,7 @@ def reference_of(project: Path) -> Optional[Reference]:
 
 
 class _Package:
-    """Modules of the package, and where their names are defined."""
+    """Modules of the package, and the modules that define their names."""
 
     def __init__(self, project: Path) -> None:
         self.project = project
@@ -90,7 +90,7 @@ class _Package:
         return self._known("class", node.name, said, _text(node), tuple(members.values()))
 
     def _members(self, module: str, node: ast.ClassDef, owner: str) -> Iterator[Documented]:
-        """The public members, after those of its bases in the package."""
+        """The public members, after those of its base classes in the package."""
         for base in node.bases:
             above = self._find(module, ast.unparse(base).partition("[")[0])
             if above and isinstance(above[1], ast.ClassDef):
@@ -134,14 +134,14 @@ class _Package:
         text: str,
         members: tuple[Documented, ...] = (),
     ) -> Documented:
-        """A name; without a text, it is described by the same name in an earlier module."""
+        """A name; without a text, the description of the same name in an earlier module is used."""
         if not text and name in self.told:
             text = f"As `{PACKAGE}.{name}`."
         return Documented(kind, name, signature, text, members)
 
 
 def _statements(body: list[ast.stmt]) -> Iterator[ast.stmt]:
-    """Those of a module, also those under a condition."""
+    """The statements of a module, including conditional ones."""
     for node in body:
         yield node
         if isinstance(node, ast.If):
@@ -184,7 +184,7 @@ def _signature(
     is_method: bool,
     with_result: bool = False,
 ) -> str:
-    """How a function is called, on several lines if it is long."""
+    """The signature of a function, on several lines if it is long."""
     given = node.args
     plain = [*given.posonlyargs, *given.args]
     defaults = [None] * (len(plain) - len(given.defaults)) + list(given.defaults)

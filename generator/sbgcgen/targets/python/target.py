@@ -25,7 +25,7 @@ TAKEN = frozenset(
 
 
 def check_names(layout: Layout, found: Diagnostics) -> None:
-    """Report types and messages that the modules could not have; findings go into `found`."""
+    """Report types and messages that are impossible in the modules; findings go into `found`."""
     structs = (s for family in layout.families for s in family.structs)
     things: list[Enum | Packed | Struct | Message] = [*layout.enums, *layout.packed, *structs]
     for thing in (*things, *layout.messages):
@@ -49,7 +49,7 @@ class Python(Target):
             yield MADE, blocking(path.read_text(encoding="utf-8")).encode()
 
     def examples(self, example: Example) -> list[Code]:
-        """The code of a host: it encodes what goes to the board, and decodes the rest."""
+        """The code of a host: it encodes messages to the board, and decodes the others."""
         message = example.message
         if message.in_both_directions or message.direction == "to_board":
             return [Code("Python", "python", encoding(example))]

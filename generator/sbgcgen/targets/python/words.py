@@ -64,12 +64,12 @@ def _arguments(text: str) -> list[str]:
 
 
 def shown(fields: tuple[Field, ...]) -> list[Field]:
-    """The fields that are attributes: not the counters that follow from a list."""
+    """The fields that are attributes: without the counters that follow from a list."""
     return [field for field in fields if not field.is_counter]
 
 
 def has_raw(field: Field) -> bool:
-    """True if the number on the wire differs from the value."""
+    """True if the raw number differs from the value."""
     return isinstance(field.type, Quantity) or bool(field.variable)
 
 
@@ -87,7 +87,7 @@ def _kind(field: Field) -> str:
 
 
 def _hints(field: Field) -> tuple[str, str]:
-    """The types that an element of the field is read and written as."""
+    """The types for reading and writing an element of the field."""
     type_ = field.type
     if isinstance(type_, Packed):
         return type_.name, "int"
@@ -121,7 +121,7 @@ def kind(field: Field, raw: bool = False) -> str:
 
 
 def hints(field: Field, raw: bool = False) -> tuple[str, str]:
-    """The types that a field is read and written as."""
+    """The types for reading and writing a field."""
     get, set_ = (_raw_hint(field), _raw_hint(field)) if raw else _hints(field)
     if field.dim in ("axis", "xyz") and not _is_one(field):
         name = "Axes" if field.dim == "axis" else "Xyz"
@@ -208,7 +208,7 @@ def part_type(part: Part) -> str:
 
 
 def answers(layout: Layout) -> dict[str, str]:
-    """The type of what a call returns, for each request: its responses, or their confirmation."""
+    """The return type of a call for each request: its responses, or their confirmation."""
     errors = {message.name for message in layout.messages if message.form == "error"}
     confirmations = [m.name for m in layout.messages if m.role and m.role.kind == "confirmation"]
     found: dict[str, str] = {}

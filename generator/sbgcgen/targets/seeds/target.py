@@ -96,7 +96,7 @@ _SMALL = 12  # bytes, which may be the values of a few enums
 
 
 def _various(message: Message) -> Iterator[bytes]:
-    """A typical body, and those with edge values: of a small message, with each value of its enums."""
+    """A typical body, and bodies with edge values: in a small message, with each enum value."""
     if not message.max_size:
         return
     typical = typical_vector(message).body
@@ -128,9 +128,9 @@ _UNPACED = 8
 # Steps of a session; those from 64 on poll.
 _REQUEST, _FIRST_RESPONSE, _LAST_RESPONSE, _CONFIRMATION, _WAIT = 120, 76, 136, 66, 68
 _EXPECT_CONFIRMATION = 1
-# The options of boards: an old one, and the newest, with calibrations that take no time.
+# The options of boards: an old one, and the newest, with instantaneous calibrations.
 _BOARDS = {"old": 1 + 64, "new": 3 + 64}
-# Steps of a board, which sends what it has; in a frame of the first or the last framing.
+# Steps of a board, which sends pending data; in a frame of the first or the last framing.
 _FRAMES, _MILLISECONDS, _NEXT = (135, 195), 128, 130
 
 
@@ -170,7 +170,7 @@ def _variables(layout: Layout) -> Iterator[bytes]:
 
 
 def _line(message: Message, body: bytes) -> str:
-    """The line of a body, with names of our own."""
+    """The line for a body, with the project's own names."""
     try:
         fields = decode(message, body, full_context(message))
     except CodecError:
@@ -179,7 +179,7 @@ def _line(message: Message, body: bytes) -> str:
 
 
 def _hostile_json() -> dict[str, str]:
-    """Lines that are deeper or wider than any message."""
+    """Lines that are nested deeper or wider than any message."""
     deep = 70
     wide = ",".join(f'"k{number}":{number}' for number in range(300))
     return {

@@ -10,7 +10,7 @@ from sbgcgen.targets import Target, View
 
 
 class SingleHeader(Target):
-    """The single header. It is not committed, because it repeats the headers that are."""
+    """The single header. It is not committed, because it repeats committed headers."""
 
     committed = False
     help = "write messages, parser and session of the C++ library as a single header"

@@ -1,6 +1,6 @@
 """Data of the frame builder for typed code: names in Python and C++, by the paths of fields.
 
-A value that it has no fact about is assigned as text.
+A value without a fact is assigned as text.
 """
 
 from __future__ import annotations
@@ -12,12 +12,12 @@ from sbgcgen.oracle.codec import keys_of
 from sbgcgen.views.code import attribute_name, enum_name, unit_name
 from sbgcgen.views.words import positive_text
 
-# The largest integer that is written without a suffix has this many bytes; one of 3 is a type of its own.
+# The sizes in bytes of integers that are written without a suffix; 3 bytes are a separate type.
 _PLAIN_SIZES = (1, 2, 4)
 
 
 def builder_facts(message: Message) -> dict[str, Any]:
-    """The header of a message, the facts by path, the enums in them, and which way values count."""
+    """The header of a message, the facts by path, the enums in them, and the sign conventions."""
     facts: dict[str, Any] = {}
     enums: dict[str, Any] = {}
     for field in message.fields:

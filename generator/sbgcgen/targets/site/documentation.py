@@ -1,4 +1,4 @@
-"""The documentation of a library's names by its authors, as HTML."""
+"""Converts the documentation of a library's names to HTML."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from sbgcgen.targets import Documented, Reference
 
 
 class Documentation:
-    """The texts of a reference, in which other names are links."""
+    """The texts of a reference, in which other names become links."""
 
     def __init__(self, reference: Reference) -> None:
         self.first = reference.parts[0].name
@@ -21,7 +21,7 @@ class Documentation:
         return anchor_of(self.first, module, name)
 
     def html(self, text: str, near: str) -> Markup:
-        """Paragraphs, and code, of a text that is about `near`."""
+        """The paragraphs and code of a text about `near`."""
         return Markup("\n").join(
             Markup('<pre tabindex="0"><code>{}</code></pre>').format(
                 re.sub(r"^    ", "", part, flags=re.MULTILINE)
@@ -32,7 +32,7 @@ class Documentation:
         )
 
     def _prose(self, text: str, near: str) -> Markup:
-        """Names in backticks, those with brackets, and files of guides are links."""
+        """Turns names in backticks, names with brackets, and files of guides into links."""
         result = Markup()
         names = r"(`[^`]+`|\b[A-Za-z_][\w.]*\(\)|docs/[\w-]+\.md)"
         for part in re.split(names, " ".join(text.split())):
@@ -71,13 +71,13 @@ def anchors_of(reference: Reference) -> Iterator[tuple[str, Documented]]:
 
 
 def anchor_of(first: str, module: Documented, name: str) -> str:
-    """A name as the user of the package writes it: Gimbal.stop, aio.Gimbal.stop."""
+    """A name as users of the package write it: Gimbal.stop, aio.Gimbal.stop."""
     inner = module.name.removeprefix(first).lstrip(".")
     return f"{inner}.{name}" if inner else name
 
 
 def _paragraphs(text: str) -> list[str]:
-    """The parts of a text between empty lines; adjacent parts of code are one."""
+    """The parts of a text between empty lines; adjacent code parts are joined."""
     found: list[str] = []
     for part in re.split(r"\n\s*\n", text.strip("\n")):
         if found and part.startswith("    ") and found[-1].startswith("    "):

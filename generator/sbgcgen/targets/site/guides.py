@@ -57,10 +57,9 @@ class Guide:
 
 @dataclass(frozen=True)
 class Pages:
-    """Where the site has what files of the project say: its guides, headers and other pages.
+    """Maps files of the project to pages of the site: guides, headers and other pages.
 
-    `others` are the pages about folders of the project, `messages` those of messages by their names in lower
-    case.
+    `others` are the pages about folders of the project, `messages` the pages of messages by lower-case name.
     """
 
     headers: Sequence[Header] = ()
@@ -84,7 +83,7 @@ class Pages:
         return f"{page}#{section}" if section else page
 
     def html(self, text: str, folder: str, root: str) -> Markup:
-        """A text in a folder of the project as HTML, for a page from which `root` leads to the first one."""
+        """Converts a text in a folder of the project to HTML; `root` leads from the page to the root."""
         html = markdown.markdown(
             text, extensions=["tables", "fenced_code", "toc"], output_format="html"
         )
@@ -134,7 +133,7 @@ def _guide(path: Path, pages: Pages) -> Guide:
     return Guide(name, title[1].strip() if title else name, pages.html(text, "docs", "../"))
 
 
-# The pages about files of the repository; the other files are those of families.
+# The pages about files of the repository; the other files belong to families.
 _PAGES = {
     "spec": "messages.html",
     "spec/adjustable_variables.yaml": "variables.html",

@@ -1,4 +1,4 @@
-"""The public C++ headers of the project, as Doxygen reads them, for the pages of the C++ reference."""
+"""The public C++ headers of the project, parsed by Doxygen, for the pages of the C++ reference."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ from sbgcgen.model import Layout
 from sbgcgen.targets.site.uses import page_of
 
 SETTINGS = Path("docs/Doxyfile")
-# For each release, its version and, indented, the names that it brought: "Client{call close}" has two members.
+# For each release, its version and, indented, the names it introduced: "Client{call close}" has two members.
 SINCE = Path("docs/since.txt")
-# A declaration that is longer has a line for each parameter.
+# Longer declarations have a line for each parameter.
 _WIDTH = 90
 
 
@@ -33,12 +33,12 @@ class Item:
     code: Markup
     text: Markup
     members: tuple[Item, ...] = ()
-    # The members of its bases, by the names of these.
+    # The members of its base classes, by the names of these.
     inherited: tuple[tuple[str, tuple[Item, ...]], ...] = ()
     line: int = 0
-    # From the root of the site, with the anchor.
+    # The path from the root of the site, with the anchor.
     page: str = ""
-    # The release that brought the name; "" if none has it yet.
+    # The release that introduced the name; "" if none has yet.
     since: str = ""
 
     @property
@@ -95,7 +95,7 @@ def headers_of(project: Path, layout: Layout) -> list[Header]:
 
 
 def record_names(project: Path, layout: Layout, version: str) -> None:
-    """Notes the release that brought each name which no earlier one had."""
+    """Records the release that introduced each name which no earlier one had."""
     names = [
         n for h in headers_of(project, layout) for i in h.items for n in _names(i) if not n.since
     ]
@@ -129,7 +129,7 @@ def _names(item: Item) -> Iterator[Item]:
 
 
 def _since(project: Path) -> dict[str, str]:
-    """The releases by the anchors of the names that they brought."""
+    """The releases by the anchors of the names that they introduced."""
     path = project / SINCE
     releases = re.split("(?m)^(?=\\S)", path.read_text("utf-8")) if path.is_file() else []
     parts = (release.split(":", 1) for release in releases if release)
@@ -159,7 +159,7 @@ def _types(layout: Layout) -> dict[str, str]:
 
 
 def _link(page: str, text: str) -> Markup:
-    # The template knows the way to the root.
+    # The template knows the path to the root.
     return Markup('<a href="{}">{}</a>').format("ROOT/" + page, text)
 
 
@@ -178,7 +178,7 @@ def _location(element: Element) -> tuple[str, int]:
 
 
 class _Reader:
-    """Makes headers of Doxygen's XML; the links of its elements lead to each other and to messages."""
+    """Converts Doxygen's XML to headers; its links lead to other elements and to messages."""
 
     def __init__(self, project: Path, layout: Layout, compounds: list[Element]) -> None:
         self.project = project
@@ -188,7 +188,7 @@ class _Reader:
             self.declared[_location(element)[0]].append(element)
         self.pages: dict[str, str] = {}  # by the id of Doxygen
         self.compounds = {compound.get("id"): compound for compound in compounds}
-        # The values of ErrorCode, with the ids of Doxygen.
+        # The values of ErrorCode, by Doxygen's ids.
         self.codes = {
             _text_of(value, "name"): value.get("id", "")
             for compound in compounds
@@ -205,7 +205,7 @@ class _Reader:
             self.pages[self.files[path].get("id", "")] = self.includes[include]
         for family in layout.families:
             self.includes[f"sbgc/messages/{family.name}.hpp"] = f"families/{family.name}.html"
-        # The functions of namespaces by their last name and their own.
+        # The functions of namespaces by the last component of the namespace and their own name.
         self.functions = {
             (
                 _text_of(compound, "compoundname").rpartition("::")[2],
@@ -219,7 +219,7 @@ class _Reader:
 
     @staticmethod
     def _public(compounds: list[Element]) -> Iterator[Element]:
-        """Macros, and what namespaces have; no specializations."""
+        """Macros, and the members of namespaces, without specializations."""
         kinds = ("class", "struct", "concept")
         classes = {c.findtext("compoundname"): c for c in compounds if c.get("kind") in kinds}
         for name, compound in classes.items():
@@ -235,7 +235,7 @@ class _Reader:
                         yield member
 
     def headers(self) -> list[Header]:
-        """Those with public names, and those that only include others."""
+        """Headers with public names, and headers that only include others."""
         paths = [
             path
             for path, elements in self.declared.items()
@@ -246,7 +246,7 @@ class _Reader:
         return sorted(map(self._header, paths), key=lambda header: (header.order, header.include))
 
     def _number(self, path: str) -> None:
-        """Gives each name of a header, and each member, its anchor."""
+        """Assigns an anchor to each name of a header, and to each member."""
         taken: set[str] = set()
         page = f"headers/{path.partition('/include/sbgc/')[2].removesuffix('.hpp')}.html"
 
@@ -320,7 +320,7 @@ class _Reader:
                 yield self._name(base), tuple(self._members_of(base))
 
     def _members_of(self, element: Element) -> Iterator[Item]:
-        """Members as items. One without a description does what a function of its name does, in the
+        """Members as items. A member without a description has that of the function with its name in the
         namespace that the description of its class names: tasks::move_to().
         """
         spaces = re.findall(r"\b(\w+)::", self._description(element).striptags())
@@ -335,7 +335,7 @@ class _Reader:
             yield item
 
     def _members(self, element: Element) -> list[Element]:
-        """The public members in the order of the source: not what the compiler makes."""
+        """The public members in source order, without those that the compiler generates."""
         if element.get("kind") == "enum":
             return element.findall("enumvalue")
         found = []
@@ -446,7 +446,7 @@ class _Reader:
         return parts + escape(text[end:])
 
     def _reference(self, element: Element, text: str) -> Markup:
-        """A link to what an element refers to."""
+        """A link to the target of an element."""
         page = self.pages.get(element.get("refid", ""))
         return _link(page, text) if page else escape(text)
 
@@ -454,7 +454,7 @@ class _Reader:
 
     def _description(self, element: Element) -> Markup:
         text = Markup().join(map(self._block, self._description_parts(element))).strip()
-        # Those of a function are a paragraph of their own, with links.
+        # The descriptions of a function form a paragraph, with links.
         return Markup(
             re.sub(r"(?:<p>|\s)Errors(?=[:,]\s)(.*?</p>)", self._errors, str(text), flags=re.S)
         )
@@ -474,7 +474,7 @@ class _Reader:
         return [part for part in parts if part is not None and part.find("para") is not None]
 
     def _block(self, element: Element) -> Markup:
-        """The contents of an element. Fails if one is unknown, so that nothing is lost."""
+        """The contents of an element. Fails for unknown ones, so that nothing is lost."""
         result = self._prose(element.text or "")
         for part in element:
             tag = part.tag
@@ -509,5 +509,5 @@ _BLOCKS: dict[str, Callable[[Markup], Markup]] = {
     ),
 }
 
-# The libraries, in the order in which one gets to know them.
+# The libraries, in the order of the introduction.
 _ORDER = ("core", "session", "any", "tasks", "io", "client", "emulator")

@@ -12,14 +12,14 @@ from sbgcgen.targets.site.guides import Guide
 from sbgcgen.targets.site.uses import References, instances
 from sbgcgen.views.rows import rows_of
 
-# How many neighbors in the family are listed; the page of the family has all.
+# The maximum number of listed neighbors in the family; the page of the family lists all.
 _NEIGHBORS = 6
 _GUIDES = 5
 
 
 @dataclass(frozen=True)
 class Mention:
-    """A section of a guide that names a message; its title, and its page with the anchor."""
+    """A section of a guide that names a message: its title, and its page with the anchor."""
 
     title: str
     page: str
@@ -39,7 +39,7 @@ class Related:
 
 
 class Relations:
-    """Finds what is related to a message."""
+    """Finds the pages related to a message."""
 
     def __init__(self, layout: Layout, guides: Sequence[Guide], uses: References) -> None:
         self._layout = layout
@@ -106,7 +106,7 @@ def _structs(message: Message) -> list[str]:
 
 
 def _mentions(guides: Sequence[Guide]) -> dict[str, list[Mention]]:
-    """The sections of guides by the words of names in them."""
+    """The sections of guides by the words of the names in them."""
     found: dict[str, list[Mention]] = {}
     for guide in guides:
         for part in guide.parts:
@@ -121,7 +121,7 @@ def _mentions(guides: Sequence[Guide]) -> dict[str, list[Mention]]:
 
 
 def _tasks(guides: Sequence[Guide]) -> dict[str, list[str]]:
-    """The command lines that guides list in tables beside the messages that they send, by message."""
+    """The command lines in the guides' tables that send each message, by message."""
     found: dict[str, list[str]] = {}
     for guide in guides:
         rows = re.findall(

@@ -26,7 +26,7 @@ class Block:
 
 
 def byte_map(message: Message) -> tuple[list[list[Block]], list[Leaf]]:
-    """The bytes with a fixed place in rows of eight, and the leaves without one."""
+    """The bytes with a fixed position in rows of eight, and the leaves without one."""
     lines: list[list[Block]] = []
     rest: list[Leaf] = []
     number = -1

@@ -109,7 +109,7 @@ def search_index(
     references: Sequence[Reference] = (),
     headers: Sequence[Header] = (),
 ) -> dict[str, Any]:
-    """All entries, the more important first, groups of synonyms, and how often guides link a page."""
+    """All entries, the most important first, groups of synonyms, and numbers of links in guides."""
     links = Counter(
         link for guide in guides for link in re.findall(r'href="\.\./([^"#]+)', guide.html)
     )
@@ -259,7 +259,7 @@ def _fields(message: Message, layout: Layout) -> Iterator[Entry]:
 
 
 def _topics_of(row: Row, layout: Layout) -> Iterator[str]:
-    """The words of its topics, which say less about a field than its name: "~gain"."""
+    """The words of its topics, which are less specific for a field than its name: "~gain"."""
     topics = chain.from_iterable((t.name, *t.words) for t in layout.topics_of(row.field))
     yield from (f"~{word}" for text in topics for word in text.split())
 
@@ -275,7 +275,7 @@ def _words_of(row: Row) -> Iterator[str]:
 
 
 def _references(references: Sequence[Reference]) -> Iterator[Entry]:
-    """The references of libraries, and the names in them that are called or made."""
+    """The references of libraries, and their functions and classes."""
     for reference in references:
         words = f"{reference.language.lower()} library package api module"
         title = f"{reference.language} reference"
@@ -294,7 +294,7 @@ def _references(references: Sequence[Reference]) -> Iterator[Entry]:
 def _guide(guide: Guide) -> Iterator[Entry]:
     """A guide, and each of its sections.
 
-    Besides its own words, a part has those that people ask with: `<!-- search: jitter, jello -->`.
+    A part has its own words, and additional search words: `<!-- search: jitter, jello -->`.
     """
     start, *sections = guide.split("23")
     first = re.search(r"<p>(.*?)</p>", start.html, re.DOTALL)
@@ -307,7 +307,7 @@ def _guide(guide: Guide) -> Iterator[Entry]:
 
 
 def _words_of_part(html: str) -> str:
-    """The vocabulary of a part of a guide, and the words that people ask with: "!jitter"."""
+    """The vocabulary of a part of a guide, and its additional search words: "!jitter"."""
     asked = re.findall(r"<!-- search: (.*?) -->", html, re.DOTALL)
     words = dict.fromkeys(unescape(" ".join(asked)).replace(",", " ").lower().split())
     return _joined(*(f"!{word}" for word in words), _vocabulary(html))

@@ -10,7 +10,7 @@ from sbgcgen.targets import Target, View
 
 
 class Site(Target):
-    """The site. It is not committed, and needs the module markdown, which other targets do not."""
+    """The site. It is not committed, and only this target needs the module markdown."""
 
     committed = False
     help = "write the reference site; it is not part of generated/"
@@ -23,14 +23,14 @@ class Site(Target):
         return view_of(self, layout, project)
 
     def record(self, layout: Layout, project: Path, version: str) -> None:
-        """Notes the public names of C++ that are new."""
+        """Record the new public C++ names."""
         from sbgcgen.targets.site.headers import SINCE, record_names
 
         record_names(project, layout, version)
         print(f"{SINCE} has the names of {version}")
 
     def files(self, layout: Layout, project: Path) -> Iterator[tuple[str, bytes]]:
-        """Those of the templates, and the pictures of guides and README."""
+        """The files of the templates, and the pictures of guides and README."""
         yield from super().files(layout, project)
         for path in sorted((project / "docs/pictures").glob("*.[sp][vn]g")):
             yield f"pictures/{path.name}", path.read_bytes()

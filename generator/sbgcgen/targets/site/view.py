@@ -49,7 +49,7 @@ class Revisions:
     def of(self, kind: str, owner: str, name: str) -> Revision | None:
         """The revision that added something; for a field, also the one that added its group.
 
-        A message with the body of another has the fields of that message.
+        A message with the same body as another has the fields of that message.
         """
         owner = self._same.get(owner, owner) if kind == "field" else owner
         name = re.sub(r"\[\d*\]", "", name) if kind == "field" else name
@@ -60,7 +60,7 @@ class Revisions:
         return found
 
     def of_message(self, message: Message) -> Revision | None:
-        """The revision that added a message, or else its command."""
+        """The revision that added a message, or its command."""
         return self.of("message", "", message.name) or self.of("command", "", message.command)
 
 
@@ -225,7 +225,7 @@ def fragment(link: str) -> str:
 
 
 class _Prose:
-    """Adds links to the commands, messages and errata that a text names; what is in backticks is code."""
+    """Adds links to the commands, messages and errata named in a text; text in backticks is code."""
 
     def __init__(self, layout: Layout) -> None:
         pages = {c.name: f"families/{c.family}.html#{c.name}" for c in layout.commands}
@@ -251,7 +251,7 @@ class _Prose:
 
 
 def breakable_word(name: str) -> Markup:
-    """A name that may be too long for the menu, which may break between its words."""
+    """A name that may be too long for the menu, with break opportunities between its words."""
     longest = 22
     text = escape(name)
     return (

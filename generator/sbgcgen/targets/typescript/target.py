@@ -1,4 +1,4 @@
-"""Types of TypeScript for the messages as JSON, which the npm package has. The build makes them."""
+"""TypeScript types for the messages as JSON, for the npm package. The build makes them."""
 
 from __future__ import annotations
 

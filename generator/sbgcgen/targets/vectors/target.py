@@ -40,7 +40,7 @@ class Vectors(Target):
 
 
 def _of_no_message(forms: Forms) -> Iterator[str]:
-    """Bodies of no known message: with sizes of no form, or ids of no command in a direction."""
+    """Bodies of no known message: with sizes that no form has, or unknown ids in a direction."""
     for direction in ("from_board", "to_board"):
         known = {id_ for way, id_ in forms if way == direction}
         other = {id_ for way, id_ in forms if way != direction} - known

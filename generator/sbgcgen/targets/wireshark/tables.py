@@ -1,4 +1,4 @@
-"""The protocol as tables of Lua: what the program in the templates needs to know, and no more."""
+"""The protocol as Lua tables: exactly the facts that the program in the templates needs."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _ESCAPES = {ord('"'): '\\"', ord("\\"): "\\\\", ord("\n"): "\\n"}
 
 
 def lua(value: Any) -> str:
-    """A value as Lua. Keys without a value, and flags that are not set, are omitted."""
+    """A value as Lua. Keys without a value, and unset flags, are omitted."""
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, str):
@@ -47,7 +47,7 @@ def _key(key: int | str) -> str:
 
 
 def framing(one: Framing) -> Table:
-    """The parts of a frame by their places; those of the trailer count from the end of the body."""
+    """The parts of a frame by offset; those of the trailer count from the end of the body."""
     checks = [_check(one, checksum) for checksum in one.checksums]
     return {
         "name": one.name,
@@ -63,7 +63,7 @@ def framing(one: Framing) -> Table:
 
 
 def _check(one: Framing, checksum: Checksum) -> Table:
-    """A checksum over the bytes from the place `from` to the place `to`, or to the end of the body."""
+    """A checksum over the bytes from the offset `from` to `to`, or to the end of the body."""
     is_first = checksum.name in one.header
     first = checksum.covers[0]
     covered = sum(one.size_of(part) for part in checksum.covers if part in one.header)
@@ -120,12 +120,12 @@ def _part(part: Part) -> Table:
     }
 
 
-# The names of structs in Lua, by the identity of the object: hashing one takes long.
+# The Lua names of structs, by the identity of the object, because hashing one is slow.
 Names = dict[int, str]
 
 
 def structs(layout: Layout) -> tuple[list[tuple[str, Struct]], Names]:
-    """Every struct inside a message once, each after those that it has; and their names."""
+    """Every struct inside a message once, each after the structs that it contains; and their names."""
     found: list[tuple[str, Struct]] = []
     names: Names = {}
 
@@ -373,7 +373,7 @@ AXES = "axes"
 
 
 def kind_of(type_: Type, field: Field) -> str:
-    """The type of the display filter of a value, as far as two must agree."""
+    """The display filter type of a value, as far as two must agree."""
     if isinstance(type_, Blob):
         return "bytes" if type_.kind == "bytes" else "text"
     if isinstance(type_, Announced):

@@ -1,4 +1,4 @@
-"""A dissector for Wireshark: the protocol as tables of Lua, and the program that interprets them."""
+"""A dissector for Wireshark: the protocol as Lua tables, and the program that interprets them."""
 
 from __future__ import annotations
 
@@ -13,20 +13,20 @@ from sbgcgen.targets import Target, View
 from sbgcgen.targets.wireshark import tables
 from sbgcgen.targets.wireshark.tables import kind_of, path_of
 
-# A name that is longer does not fit into a line of the tree (ITEM_LABEL_LENGTH), with its value.
+# A longer name, with its value, does not fit into a line of the tree (ITEM_LABEL_LENGTH).
 LONGEST_NAME = 128
-# Names that the dissector has for itself, which no message may have.
+# Names that the dissector reserves, which no message may have.
 OWN = frozenset(
     """id command message direction framing size body checksum expert skipped request_in response_in
     response_time undecoded""".split()
 )
 _NAME = re.compile(r"[a-z0-9_]+(\.[a-z0-9_]+)*\Z")
-# Lua's numbers are those of C's `double`, and its bit operations have 32 bits.
+# Lua's numbers are C doubles, and its bit operations have 32 bits.
 _BITS = 32
 
 
 def check_limits(layout: Layout, found: Diagnostics) -> None:
-    """Report what the dissector could not have; findings go into `found`."""
+    """Report names that are impossible in the dissector; findings go into `found`."""
     namespace = layout.protocol.get("namespace", "sbgc")
     seen: dict[str, tuple[str, Position]] = {}
     for message in layout.messages:
@@ -35,7 +35,7 @@ def check_limits(layout: Layout, found: Diagnostics) -> None:
             found.add(message.at, "SBGC022", text, "choose another name, with 'as'")
         for path, kind, at in filters(message):
             name = f"{namespace}.{message.identifier}.{path}"
-            # Names with other letters have a finding of their own.
+            # Names with other letters have their own finding.
             if not _NAME.match(name.lower()):
                 found.add(at, "SBGC022", f"'{name}' cannot be a display filter of Wireshark")
             if len(name) > LONGEST_NAME:
@@ -84,7 +84,7 @@ def _kind_of_part(part: Part) -> str:
 
 
 class Wireshark(Target):
-    """One file of Lua, which Wireshark loads from its folder of plugins."""
+    """One Lua file, which Wireshark loads from its plugin folder."""
 
     def view(self, layout: Layout, project: Path) -> View:
         structs, names = tables.structs(layout)

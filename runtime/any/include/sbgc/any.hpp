@@ -43,7 +43,7 @@ namespace detail {
 /// The most memory of a message that takes surplus.
 inline constexpr std::size_t largest_with_surplus = 1024;
 
-/// Numbers of one type that are one after another in a body and in memory.
+/// Numbers of one type that are contiguous in a body and in memory.
 struct Run {
   std::uint16_t wire{};  ///< the offset in the body
   std::uint16_t memory{};
@@ -51,7 +51,7 @@ struct Run {
   RawType raw{};
 };
 
-/// The functions that depend on the type of a message. All else goes by the table of the
+/// The functions that depend on the type of a message. Everything else uses the table of the
 /// Received<M>.
 struct AnyOperations {
   void (*construct)(void* message);
@@ -74,7 +74,7 @@ using FieldTypes = std::atomic<const std::vector<FieldType>*>;
 /// The type of a message: one body layout of a command. There is one object for each.
 struct MessageType {
   const MessageInfo* info = nullptr;  ///< name, fields, sizes
-  Form form{};                        ///< how it is told from others with its id
+  Form form{};                        ///< distinguishes it from others with its id
   std::size_t memory{};  ///< the size of the message in memory, with the surplus it may have
 
   const detail::AnyOperations* operations = nullptr;  ///< for the library itself
@@ -116,7 +116,7 @@ class AnyMessage {
   /// Returns the type, which never changes.
   const MessageType& type() const noexcept { return *type_; }
 
-  /// As the functions for a message of known type; after an error, the values are unspecified.
+  /// Like the functions for a message of known type; after an error, the values are unspecified.
   [[nodiscard]] Status decode(std::span<const std::uint8_t> body,
                               const Contexts& contexts = {}) noexcept;
   /// Writes the body. Fails as encode() of a typed message.
@@ -151,12 +151,12 @@ class AnyMessage {
     return find_leaf(path, versions, detail::call_user<std::remove_reference_t<Use>>, user);
   }
   /// Sets the field at a path to a value as people write it: "-30deg", "MODE_ANGLE", "raw:-1365";
-  /// see <sbgc/value_text.hpp>. Axes and lists take elements with commas between them, axes also
-  /// one value for all. Adds the field, or the elements of a list, if they are missing. Returns why
-  /// that is not possible or not allowed by the specification, and leaves the message as it was; ""
-  /// if it is done. With `validates` false, also sets what the specification does not allow. The
-  /// value means what it does on a board with these versions, without them the usual.
-  /// Pointers that get_if() has returned become invalid.
+  /// see <sbgc/value_text.hpp>. Axes and lists take elements separated by commas; axes also take
+  /// one value for all. Adds the field, or the elements of a list, if they are missing. Returns ""
+  /// on success; otherwise the reason why the specification or the field does not allow it, and
+  /// leaves the message unchanged. With `validates` false, also sets what the specification does
+  /// not allow. The value means what it does on a board with these versions, or the usual without
+  /// them. Pointers that get_if() has returned become invalid.
   std::string assign(std::string_view path, std::string_view text, bool validates = true,
                      const Availability& versions = {});
 
@@ -166,17 +166,17 @@ class AnyMessage {
   /// True if the message has the field, or the element of a list, at a path.
   bool has(std::string_view path) const;
 
-  /// Returns the number of elements of the list at a path; 0 if the message has none.
+  /// Returns the number of elements of the list at a path; 0 if the message does not have it.
   std::size_t count(std::string_view path) const;
 
   /// Adds the field at a path, or the elements of a list, if they are missing. Returns false if the
   /// message has no such field.
   bool add(std::string_view path) { return set(path, nullptr); }
   /// Removes the optional field, or the elements of the list, at a path. Returns false if there is
-  /// nothing there that a message can lack.
+  /// nothing optional at the path.
   bool remove(std::string_view path);
-  /// Sets the field at a path to a value of the wire, which nothing checks; the value of a list is
-  /// its size. Adds what is missing on the way. Returns false if the field cannot hold the value.
+  /// Sets the field at a path to a raw value without validation; the value of a list is its size.
+  /// Adds missing fields on the way. Returns false if the field cannot hold the value.
   bool set(std::string_view path, const AnyValue& value) { return set(path, &value); }
 
   /// Writes the message as JSON, as write_json() of a typed message.

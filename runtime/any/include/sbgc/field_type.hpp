@@ -52,7 +52,7 @@ struct FieldType {
   bool has_elements() const noexcept {
     return shape == FieldShape::axes || shape == FieldShape::list;
   }
-  /// The type of one value of axes or of a list, which may be nested; otherwise the type itself.
+  /// The type of a single value in (possibly nested) axes or lists; otherwise the type itself.
   const FieldType& innermost() const noexcept {
     return has_elements() ? members.front().innermost() : *this;
   }

@@ -11,9 +11,9 @@
 /// A number without a unit means what to_string() and value_text() show for the field, since that
 /// is what people read and copy. Only JSON holds numbers of the wire.
 ///
-/// A field whose steps are one unit or more takes only numbers that it has: 20.5 is an error for a
-/// counter, 50.5Hz for steps of 1 Hz. Finer steps are odd fractions, such as 360/16384 deg, so a
-/// number for them becomes the nearest step.
+/// If the steps of a field are one unit or more, only exact values are accepted: 20.5 is an error
+/// for a counter, 50.5Hz for steps of 1 Hz. Finer steps are odd fractions, such as 360/16384 deg,
+/// so a number for them is rounded to the nearest step.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,7 @@ namespace sbgc {
 /// number with its type.
 using AnyValue = std::variant<std::int64_t, double, std::vector<std::uint8_t>, std::string, Number>;
 
-/// A value, or why the text is none: a sentence without a final period, or "".
+/// A value, or the reason why the text is invalid.
 struct ParsedValue {
   AnyValue value{};       ///< the value, if there is no problem
   std::string problem{};  ///< a sentence about the text; "" if it is valid
@@ -41,13 +41,13 @@ struct ParsedValue {
 };
 
 /// Parses the value of a field that is not a group, axes or a list. `unit` is the one in effect,
-/// which a flag may select; null if the field has none. `present` has the bits that the field has:
-/// parts of a packed value that `text` does not name stay as they are. Whether the specification
-/// allows the value is checked by validate(), not here.
+/// which a flag may select; null if the field has none. `present` holds the present bits of the
+/// field: parts of a packed value that `text` does not name stay unchanged. Whether the
+/// specification allows the value is checked by validate(), not here.
 ParsedValue parse_value(const FieldType& type, const UnitInfo* unit, std::string_view text,
                         std::uint64_t present = 0);
 
-/// Returns the parts of a text with commas between them, without spaces; none for an empty text.
+/// Splits a text at its commas and trims spaces; returns no parts for an empty text.
 std::vector<std::string_view> parse_elements(std::string_view text);
 
 }  // namespace sbgc

@@ -9,7 +9,7 @@ namespace sbgc::detail {
 
 namespace {
 
-/// How long close() waits until the last frames are written.
+/// The maximum time that close() waits for the last frames to be written.
 constexpr Duration longest_closing = milliseconds(200);
 
 }  // namespace
@@ -95,7 +95,7 @@ void Channel::close_now() {
   release();
 }
 
-/// Releases the objects of Asio once no operation is pending.
+/// Releases the Asio objects once no operation is pending.
 void Channel::release() {
   if (!is_hung_up_ || is_reading_ || is_writing_) return;
   timer_.reset();

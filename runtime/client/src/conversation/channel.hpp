@@ -23,7 +23,7 @@ namespace sbgc::detail {
 
 using Strand = asio::strand<asio::any_io_executor>;
 
-/// After the channel has closed, it releases the objects of Asio on the strand, because handles and
+/// After the channel has closed, it releases the Asio objects on the strand, because handles and
 /// subscriptions may outlive the execution context.
 ///
 /// post() and runs_in_this_thread() may be called from any thread, the other functions only on the
@@ -40,7 +40,7 @@ class Channel {
 
     virtual void received(std::span<const std::uint8_t> bytes) = 0;
     virtual void written() = 0;
-    /// The time of wake_at() has come.
+    /// Called at the time of wake_at().
     virtual void woken() = 0;
     virtual void line_failed(const std::error_code& reason) = 0;
   };

@@ -38,7 +38,7 @@ Result<T> wait_for(Conversation::State& state, const Begin& begin) {
       begin(id, [waiter](Result<T> result) { waiter->put(std::move(result)); });
   if (auto result = wait_until(state, *waiter, deadline)) return *std::move(result);
   state.end_overdue(deadline);
-  // A result is on its way from some thread: this one, or another that came first.
+  // A result is being delivered by some thread: this one, or another one that came first.
   return waiter->wait();
 }
 

@@ -10,7 +10,7 @@ namespace sbgc::detail {
 
 namespace {
 
-/// The strand is busy for longer only if a handler blocks it.
+/// The strand is only busy for longer if a handler blocks it.
 constexpr Duration longest_handler = milliseconds(100);
 
 ClientError stuck_error() { return {ErrorCode::timeout, "a handler blocks the client"}; }
@@ -110,7 +110,7 @@ void Conversation::State::end_overdue(Instant at) {
   }
 }
 
-/// Completes a call that was taken out.
+/// Completes a call that was removed from the pending ones.
 void Conversation::State::complete(const CallPointer& call, Result<Reply> result) {
   post([this, call] {
     dialogue_.forget(*call);
@@ -189,7 +189,7 @@ Instant Conversation::State::start_stream(CallId id, StreamRequests requests, Me
                      });
 }
 
-/// Keeps a request repeated as long as it lives.
+/// Keeps repeating a request as long as it lives.
 class Conversation::State::PollHold : public Subscription::Registration {
  public:
   PollHold(std::unique_ptr<Registration> membership, std::weak_ptr<State> state, std::uint8_t id,
@@ -216,7 +216,7 @@ Instant Conversation::State::start_polling(CallId id, StreamRequests requests, M
                                            MessageHandler handler, const CallOptions& options,
                                            StreamHandler done) {
   Request request = *std::move(requests.start);
-  // A stream's interval of 0 would end it; a poll needs the time of an answer.
+  // A stream's interval of 0 would end it; polling takes at least the time of an answer.
   const Duration interval = std::max(Duration{requests.polling->interval.count()}, milliseconds(1));
   polls_->join(request, options, interval, io::now());
   auto hold = std::make_unique<PollHold>(delivery_.subscribe(key, std::move(handler)),
@@ -234,7 +234,7 @@ Instant Conversation::State::start_polling(CallId id, StreamRequests requests, M
                      });
 }
 
-/// Records the interval of the board, and asks for another one if the listeners have changed.
+/// Records the board's interval, and requests another one if the listeners have changed.
 void Conversation::State::set_running(const StreamListeners::Key& key, std::uint32_t interval,
                                       bool may_change) {
   const std::optional<Request> wanted = streams_->set_running(key, interval);
@@ -262,7 +262,7 @@ void Conversation::State::leave_stream(const StreamListeners::Key& key,
 
 // On the strand.
 
-/// Sends the requests that are due once more.
+/// Repeats the requests that are due.
 void Conversation::State::poll() {
   for (const Polls::Poll& due : polls_->take_due(io::now())) {
     start(next_call_id(), due.request, due.options, [this, id = due.request.id](const auto&) {
@@ -402,7 +402,7 @@ void Conversation::State::abandon() {
   close();
 }
 
-/// Starts to end all operations of Asio for this conversation.
+/// Begins to end all Asio operations of this conversation.
 void Conversation::State::begin_close() {
   if (is_searching_) end_search(false);
   dialogue_.forget_all();
@@ -411,7 +411,7 @@ void Conversation::State::begin_close() {
     return std::pair(phase_ == Phase::closed, is_abandoned_);
   }();
   if (is_abandoned && channel_.is_open()) {
-    // The system waits for what is still to be sent when a serial port is closed, up to 30 s.
+    // When a serial port is closed, the system waits for unsent data, up to 30 s.
     if (io::LineControl* const line = channel_.transport().line()) line->flush();
   }
   std::vector<Channel::Frame> last_frames;

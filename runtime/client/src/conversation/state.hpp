@@ -55,12 +55,12 @@ class Conversation::State : public Channel::User,
   /// Starts a call, of a task unless it is 0; returns when it ends at the latest.
   Instant start(CallId id, Result<Request> request, const CallOptions& options,
                 ReplyHandler handler, TaskNumber task = 0);
-  /// The pending calls, with the order of tasks; do not wait while you hold them.
+  /// The pending calls, with the order of tasks; do not wait while you hold the lock.
   SharedCalls& calls() noexcept { return calls_; }
   /// Ends a call with this error, unless it has already ended.
   void end(CallId id, ClientError error);
-  /// Ends the calls whose deadlines have passed. The thread that waits for a call does this itself:
-  /// to wait for the strand would cost another delay of the scheduler, and a handler may block the
+  /// Ends the calls whose deadlines have passed. A thread that waits for a call does this itself:
+  /// waiting for the strand would cost another scheduling delay, and a handler may block the
   /// strand.
   void end_overdue(Instant at);
 
@@ -70,18 +70,17 @@ class Conversation::State : public Channel::User,
                        const CallOptions& options, StreamHandler done);
 
   std::string description() const;
-  /// True if the line may repeat frames, by its kind or by the options.
+  /// True if the line may duplicate frames, because of its kind or the options.
   bool may_repeat() const noexcept { return may_repeat_; }
   ClientStatistics statistics() const;
   void close();
-  /// Like close(), but also discards what the port has not sent yet, so that closing it does not
-  /// wait.
+  /// Like close(), but also discards unsent data of the port, so that closing it does not wait.
   void abandon();
 
   const io::detail::ExecutorClock& clock() const noexcept { return clock_; }
 
   bool runs_in_this_thread() const { return channel_.runs_in_this_thread(); }
-  /// Why the conversation ended; nothing while it is running.
+  /// The reason why the conversation ended; nothing while it is running.
   std::optional<ClientError> end_reason() const;
 
  private:

@@ -130,7 +130,7 @@ void TaskDriver::begin_stream(TaskStep step) {
                                       std::move(started));
 }
 
-/// Before its motion can be superseded, the task must be known.
+/// The task must be known before its motion can be superseded.
 void TaskDriver::join_order() {
   const TaskNumber number = task_.number();
   if (number == joined_) return;
@@ -150,7 +150,7 @@ void TaskDriver::wait(const TaskStep& step, Clock& clock) {
   if (!task_.is_calling() && !step.can_be_woken) {
     return clock.sleep_until(io::to_chrono(step.until));
   }
-  // The deadline of any call of the conversation: to end a call of another thread does no harm.
+  // The deadline of any call of the conversation: ending a call of another thread is harmless.
   Conversation::State& state = *conversation_.state();
   const Instant last = state.calls()->deadline();
   {

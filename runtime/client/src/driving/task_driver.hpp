@@ -38,13 +38,13 @@ class TaskDriver : public std::enable_shared_from_this<TaskDriver> {
   void run(Clock& clock);
 
  protected:
-  /// An input has arrived. Called on any thread.
+  /// Called on any thread when an input has arrived.
   virtual void input_arrived() {}
 
   void listen();
   /// Runs the task as far as possible; returns a step that waits, or the last one.
   TaskStep advance(const std::function<Instant()>& now);
-  /// Cancels what is left of a task that is done, or threw.
+  /// Cancels the remaining calls of a task that is done, or threw.
   void end();
 
  private:
@@ -61,7 +61,7 @@ class TaskDriver : public std::enable_shared_from_this<TaskDriver> {
   TaskMachine& task_;
   Subscription notices_;
   Subscription overhearing_;
-  TaskNumber joined_{};  // under which the order of motion knows the task; or 0
+  TaskNumber joined_{};  // the number of the task in the order of motion; or 0
 
   std::mutex mutex_;
   std::condition_variable changed_;

@@ -1,5 +1,5 @@
-/// Operations without a thread: one that waits for a connection, and one of several steps that can
-/// be stopped.
+/// Operations without a thread: waiting for a connection, and an operation of several steps that
+/// can be stopped.
 #pragma once
 
 #include <functional>
@@ -17,8 +17,8 @@
 
 namespace sbgc::detail {
 
-/// Looks for a client now, after each change, and when the time is over. Thread-safe; everything
-/// happens on the strand, where a pending timer or look keeps the object alive.
+/// Checks for a client now, after each change, and at the timeout. Thread-safe; everything happens
+/// on the strand, where a pending timer or check keeps the object alive.
 class AwaitedClient : public std::enable_shared_from_this<AwaitedClient> {
  public:
   using Found = Result<std::shared_ptr<Connection>>;
@@ -26,7 +26,7 @@ class AwaitedClient : public std::enable_shared_from_this<AwaitedClient> {
   using Look = std::function<std::optional<Found>()>;
   using Use = std::function<void(Found)>;
 
-  /// `use` is called once: with what `look` returns, or `too_late()`.
+  /// `use` is called once: with the result of `look`, or with `too_late()`.
   AwaitedClient(const asio::strand<asio::any_io_executor>& strand, Look look,
                 std::function<ClientError()> too_late, Use use)
       : strand_(strand),
@@ -89,7 +89,7 @@ class CurrentStop {
     }
     if (step) step();
   }
-  /// Stops the step again that was set before it could be stopped.
+  /// Stops a step again that was set before it could be stopped.
   void check() {
     Stop step;
     {

@@ -1,4 +1,4 @@
-// The thread that connects, and looks after the connection.
+// The thread that connects, and monitors the connection.
 
 #include <utility>
 
@@ -9,13 +9,13 @@ namespace sbgc::detail {
 
 namespace {
 
-/// A board that announces its restart is not connected to before it has restarted.
+/// After a board has announced its restart, no connection is attempted for this time.
 constexpr std::chrono::milliseconds restart_time{roles::reset_delay_ms + 500};
-/// How often the data streams are looked at.
+/// The interval between checks of the data streams.
 constexpr std::chrono::milliseconds look_interval{500};
-/// How long a silent board has to give a sign of life.
+/// The timeout for checking that a silent board is alive.
 constexpr std::chrono::milliseconds sign_of_life_time{1'000};
-/// The pause before a stream that was not confirmed is started once more.
+/// The pause before an unconfirmed stream is started once more.
 constexpr std::chrono::milliseconds stream_pause{500};
 
 }  // namespace
@@ -53,8 +53,7 @@ void Reconnection::release_dropped(Lock& lock) {
   }
 }
 
-/// Registers a handler with the current connection. If it is registered already, it stays so if
-/// that fails.
+/// Registers a handler with the current connection. On failure, an existing registration remains.
 void Reconnection::begin_again(Lock& lock, const Kept& kept, bool is_running) {
   const Pointer client = client_;
   const std::uint64_t connection = connections_;
@@ -86,7 +85,7 @@ void Reconnection::begin_again(Lock& lock, const Kept& kept, bool is_running) {
   if (begun) kept_.set(kept, *std::move(begun), connection, kept->changed);
 }
 
-/// Asks for a sign of life if a data stream is silent. Power that fails for a moment ends the
+/// Checks that the board is alive if a data stream is silent. A short power failure ends the
 /// streams, but not the line of an adapter.
 void Reconnection::look_after_streams(Lock& lock) {
   const Time now = options_.clock->now();
@@ -97,7 +96,7 @@ void Reconnection::look_after_streams(Lock& lock) {
   if (shows_life(lock)) begin_again(lock, silent, true);
 }
 
-/// Asks for a sign of life. Without one, the connection counts as lost.
+/// Checks that the board is alive. If it is not, the connection counts as lost.
 bool Reconnection::shows_life(Lock& lock) {
   is_check_wanted_ = false;
   const Pointer client = client_;
@@ -111,7 +110,7 @@ bool Reconnection::shows_life(Lock& lock) {
   return bool(sign);
 }
 
-/// Waits until the time has come or the client is closed; returns false if it is closed.
+/// Waits for this time or until the client is closed; returns false if it is closed.
 bool Reconnection::pause(Lock& lock, std::chrono::milliseconds time) {
   const Time end = options_.clock->now() + time;
   while (!is_closing_ && options_.clock->now() < end) {
@@ -140,7 +139,7 @@ void Reconnection::disconnect(Lock& lock) {
   if (client) statistics_ = client->statistics();
   Subscription notices = std::move(client_notices_);
   lock.unlock();
-  // Close first: there is nobody to tell that the streams end, if the line is lost.
+  // Close first: if the line is lost, the board cannot be told that the streams end.
   if (client) client->conversation().close();
   old.clear();
   notices.cancel();
@@ -179,8 +178,8 @@ Result<Reconnection::Pointer> Reconnection::dial() {
   Opener opener = make_ ? opener_of(make_, options) : opener_of(address, options);
   opener.open = [this, open = std::move(opener.open)](const asio::any_io_executor& executor,
                                                       std::chrono::milliseconds timeout) {
-    // Once the client is closed, nobody waits for this thread while it opens the line, and nothing
-    // of the user may be called afterwards.
+    // Once the client is closed, nothing waits for this thread while it opens the line, and no
+    // function of the user may be called afterwards.
     const auto set_opening = [this](bool is_opening) {
       const std::lock_guard lock(mutex_);
       is_opening_ = is_opening && !make_ && !strand_ && !is_closing_;
@@ -242,9 +241,9 @@ void Reconnection::adopt(Lock&, Pointer connection) {
       [weak = weak_from_this(), connection = connections_](const Notice& notice) {
         if (const auto self = weak.lock()) self->noticed(notice, connection);
       });
-  // Before anyone knows of the connection, so that they miss no answer; streams follow in run().
+  // Before anyone uses the connection, so that no answer is missed; streams follow in run().
   for (const Kept& kept : kept_.without_request()) register_now(kept);
-  // A loss before there was a handler for it.
+  // The connection may have been lost before there was a handler for it.
   if (const auto ended = client_->conversation().state()->end_reason()) {
     loss_ = ended->message;
   }

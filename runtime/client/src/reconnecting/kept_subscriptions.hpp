@@ -1,4 +1,4 @@
-/// The handlers that stay registered from one connection to the next.
+/// Handlers that stay registered across connections.
 #pragma once
 
 #include <atomic>
@@ -19,7 +19,7 @@
 
 namespace sbgc::detail {
 
-/// Runs handlers one at a time, on whichever thread. Shared with handlers that outlive the client.
+/// Runs handlers one at a time, on any thread. Shared with handlers that outlive the client.
 class HandlerTurn {
  public:
   template <class Use>
@@ -32,7 +32,7 @@ class HandlerTurn {
   bool runs_in_this_thread() const { return thread_ == std::this_thread::get_id(); }
 
  private:
-  /// Names this thread as long as it lives, also if a handler throws.
+  /// Marks this thread as long as it lives, even if a handler throws.
   class Mark {
    public:
     explicit Mark(std::atomic<std::thread::id>& place) : place_(place) {
@@ -50,10 +50,10 @@ class HandlerTurn {
   std::atomic<std::thread::id> thread_{};
 };
 
-/// Handlers of one kind, to be called with a pointer to the message.
+/// Handlers of one kind, called with a pointer to the message.
 using KeptHandlers = Handlers<int, void(const void*)>;
 
-/// One handler: how to register it with a connection, and its registration with the current one.
+/// One handler: the way to register it with a connection, and its current registration.
 struct KeptHandler {
   /// Registers the function with a connection.
   using Begin = std::function<Result<Subscription>(
@@ -73,13 +73,13 @@ struct KeptHandler {
   // Guarded by the mutex of the client.
   Subscription current{};
   std::uint64_t connection{};  // that `current` belongs to; 0: none
-  std::uint64_t refused{};     // the connection whose board does not start the stream
+  std::uint64_t refused{};     // the connection whose board has refused to start the stream
   bool is_cancelled = false;
-  std::int64_t counted{};  // `messages` when they were last looked at
+  std::int64_t counted{};  // `messages` at the last check
   Time changed{};          // when the last change of `messages` was noticed
 };
 
-/// Not thread-safe: the mutex of the client guards it. Registrations are handed out instead of
+/// Not thread-safe: the mutex of the client guards it. Registrations are returned instead of
 /// released, because releasing one waits for its handler, which may wait for its turn.
 class KeptSubscriptions {
  public:
@@ -90,7 +90,7 @@ class KeptSubscriptions {
   void add(const Kept& kept) { kept_.push_back(kept); }
   void drop(const Kept& kept);
 
-  /// Records the registration of a handler with a connection; an earlier one is to be released.
+  /// Records the registration of a handler with a connection; the caller releases an earlier one.
   void set(const Kept& kept, Subscription registration, std::uint64_t connection, Time now);
 
   /// Returns the handlers that need no request.

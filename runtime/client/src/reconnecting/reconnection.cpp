@@ -79,8 +79,8 @@ void Reconnection::start(std::shared_ptr<Link> previous, const Completion<Result
     done(std::move(connected));
     if (is_connected) self->run();
   };
-  // The functions that the thread has posted, the closing of a line, and the end of the last owner
-  // need the context, whose work therefore ends last.
+  // The functions posted by the thread, the closing of a line, and the end of the last owner need
+  // the context, whose work guard therefore ends last.
   auto work = asio::prefer(executor_, asio::execution::outstanding_work_t::tracked);
   thread_ = std::thread([work = std::move(work), act = std::move(connect_and_run)]() mutable {
     const auto working = std::move(work);
@@ -89,7 +89,7 @@ void Reconnection::start(std::shared_ptr<Link> previous, const Completion<Result
   });
 }
 
-/// Makes the first connection, which nobody searches for.
+/// Makes the first connection, without a search.
 Result<void> Reconnection::connect_first() {
   auto client = dial();
   if (client) adapter_.remember();
@@ -169,8 +169,8 @@ ClientError Reconnection::no_connection() const {
   return {ErrorCode::not_connected, text};
 }
 
-/// Returns the client of the current connection, or why there will be none; nothing if an operation
-/// should wait. Requires the lock.
+/// Returns the client of the current connection, or the reason why there will be none; nothing if
+/// an operation should wait. Requires the lock.
 std::optional<Result<Reconnection::Pointer>> Reconnection::decision() const {
   if (client_ && !loss_ && !is_closing_) return client_;
   const bool is_final = is_closing_ || state_ == LinkState::given_up;
@@ -192,7 +192,7 @@ Result<Reconnection::Pointer> Reconnection::wait_for_client(Time deadline) {
   return decided ? *std::move(decided) : no_connection();
 }
 
-/// Like wait_for_client(), without a thread that waits. `stop` ends the wait.
+/// Like wait_for_client(), but without a waiting thread. `stop` ends the wait.
 void Reconnection::await_client(Time deadline, CurrentStop& stop, const AwaitedClient::Use& use) {
   Lock lock(mutex_);
   if (auto decided = decision()) {
@@ -223,7 +223,7 @@ bool Reconnection::may_begin_again(const Result<Reply>& reply, const Pointer& cl
                                    Time deadline) {
   if (reply || reply.error().code != ErrorCode::not_connected) return false;
   if (options_.calls == OutagePolicy::fail || Time::clock::now() >= deadline) return false;
-  // The thread that connects may not know of the loss yet.
+  // The connecting thread may not know of the loss yet.
   const std::lock_guard lock(mutex_);
   if (client_ == client && !loss_) {
     loss_ = reply.error().message;
@@ -354,7 +354,7 @@ Result<Subscription> Reconnection::keep_begun(const Kept& kept, Result<Subscript
                                               const Pointer& client) {
   if (!begun) return begun;
   const std::lock_guard lock(mutex_);
-  // If the connection was lost meanwhile, the stream is started again with the next one.
+  // If the connection was lost meanwhile, the stream is restarted with the next one.
   const std::uint64_t connection = client_ == client ? connections_ : 0;
   kept_.set(kept, *std::move(begun), connection, options_.clock->now());
   kept_.add(kept);
@@ -458,7 +458,7 @@ void Reconnection::lose(const std::string& reason, std::uint64_t connection, boo
   announce_change();
 }
 
-/// Calls handlers where they belong.
+/// Calls handlers on the proper thread.
 void Reconnection::deliver(std::function<void()> call) {
   if (!strand_) return call();
   asio::post(*strand_, [self = shared_from_this(), call = std::move(call)] { call(); });

@@ -1,4 +1,4 @@
-/// A client's link that is made again when it breaks.
+/// A client's link that is restored when it breaks.
 #pragma once
 
 #include <condition_variable>
@@ -25,9 +25,9 @@
 
 namespace sbgc::detail {
 
-/// One thread searches, registers handlers again and releases what others have cancelled. Each
-/// connection has a thread of its own that calls the handlers, or with an executor, everything but
-/// the search happens there.
+/// One thread searches, re-registers handlers and releases canceled ones. Each connection has its
+/// own thread for calling the handlers; or with an executor, everything but the search happens
+/// there.
 class Reconnection final : public Link, public std::enable_shared_from_this<Reconnection> {
  public:
   using Pointer = std::shared_ptr<Connection>;
@@ -133,15 +133,15 @@ class Reconnection final : public Link, public std::enable_shared_from_this<Reco
 
   mutable std::mutex mutex_;
   std::condition_variable changed_;
-  std::vector<std::weak_ptr<AwaitedClient>> awaited_;  // as threads wait for `changed_`
+  std::vector<std::weak_ptr<AwaitedClient>> awaited_;  // like threads that wait for `changed_`
   LinkState state_ = LinkState::searching;
   Pointer client_;               // null unless connected
   Subscription client_notices_;  // of client_
   Conversation dialling_;        // of the attempt in progress
   bool is_opening_ = false;      // the attempt may block for a while
   std::uint64_t connections_ = 0;
-  std::optional<std::string> loss_;  // why the current connection is to be replaced
-  bool is_restarting_ = false;       // the board, which is the reason
+  std::optional<std::string> loss_;  // why the current connection must be replaced
+  bool is_restarting_ = false;       // the board is restarting, which is the reason
   bool is_check_wanted_ = false;
   bool is_closing_ = false;
   BoardIdentity board_;
@@ -154,7 +154,7 @@ class Reconnection final : public Link, public std::enable_shared_from_this<Reco
   std::thread thread_;
 };
 
-/// Returns what ends the thread when it is released.
+/// Returns an object whose release ends the thread.
 inline std::shared_ptr<Link> owner_of(const std::shared_ptr<Reconnection>& reconnection) {
   return {reconnection.get(), [reconnection](Link*) { reconnection->finish(); }};
 }

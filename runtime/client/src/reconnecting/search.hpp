@@ -1,5 +1,5 @@
-/// The search for a board whose line was lost: when to try again, where its USB adapter is plugged
-/// in now, and whether a board is the same.
+/// The search for a board whose line was lost: the times of attempts, the present port of its USB
+/// adapter, and the comparison of boards.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +25,7 @@ inline bool is_same_board(const BoardIdentity& one, const BoardIdentity& other) 
          one.firmware_version() == other.firmware_version();
 }
 
-/// For example "board 3.0 with firmware 2.59 and serial number 00112233445566778a".
+/// Returns, e.g., "board 3.0 with firmware 2.59 and serial number 00112233445566778a".
 inline std::string words_for(const BoardIdentity& board) {
   std::string text =
       "board " + board.board_version() + " with firmware " + board.firmware_version();
@@ -33,7 +33,7 @@ inline std::string words_for(const BoardIdentity& board) {
   return number.empty() ? text : text + " and serial number " + number;
 }
 
-/// Says when the next attempt is due, and what to think of the board that was found.
+/// Determines when the next attempt is due, and compares the board that was found.
 class Search {
  public:
   explicit Search(const ReconnectOptions& options)
@@ -62,7 +62,7 @@ class Search {
   std::optional<BoardIdentity> other_{};
 };
 
-/// The USB adapter behind a serial address, which may get another name when it is plugged in again.
+/// The USB adapter behind a serial address, which may get another name when it is re-plugged.
 class Adapter {
  public:
   using ListPorts = std::function<io::PortList()>;
@@ -70,18 +70,18 @@ class Adapter {
   /// `address` is an address of any kind; only a serial port can be an adapter.
   Adapter(std::string address, ListPorts list_ports);
 
-  /// Notes the identity of the adapter, which is plugged in now.
+  /// Records the identity of the adapter, which must be plugged in.
   void remember();
 
-  /// Returns the address at which the adapter is plugged in now, or that it is not. Without a known
-  /// identity, this is the address it had before.
+  /// Returns the present address of the adapter, or an error if it is not plugged in. Without a
+  /// known identity, this is its previous address.
   ///
-  /// Adapters are told apart by vendor, product and serial number. Several that look the same are
-  /// an error, unless `is_board_known`: then the one with the name it had before is taken, because
-  /// the board will tell.
+  /// Adapters are identified by vendor, product and serial number. Several identical ones are an
+  /// error, unless `is_board_known`: then the one with the previous name is used, because the board
+  /// can be verified.
   Result<std::string> find(bool is_board_known) const;
 
-  /// Notes that the adapter is at this address now.
+  /// Records the new address of the adapter.
   void move_to(std::string address) { address_ = std::move(address); }
 
  private:

@@ -1,4 +1,4 @@
-/// Functions that tell what a board supports.
+/// Functions that check what a board supports.
 #pragma once
 
 #include <sbgc/message.hpp>
@@ -28,7 +28,7 @@ constexpr bool is_supported(const Availability& versions) noexcept {
   return is_available(M::since, versions);
 }
 
-/// As above, for the board that sent `info`:
+/// The same for the board that sent `info`:
 ///     if (is_supported<msg::BeepSound>(board_info)) ...
 template <Message M, class Info>
   requires requires(const Info& info) { versions_of(info); }

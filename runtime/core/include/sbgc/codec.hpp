@@ -31,15 +31,15 @@ inline constexpr int codec_version = 3;
 enum class Direction : std::uint8_t { to_board, from_board, both };
 
 /// The first firmware and board versions that have something, encoded as in VersionTypes (0: all),
-/// and what else it needs. Of a board: its versions, and what it lacks; so a board of which only
-/// the versions are known lacks nothing.
+/// and the features that it needs. For a board: its versions, and the features that it lacks; so a
+/// board of which only the versions are known lacks nothing.
 struct Availability {
   std::uint16_t firmware{};  ///< as on the wire: 2590 is 2.59b0; 0: any
   std::uint8_t board{};      ///< as on the wire: 30 is 3.0; 0: any
   std::uint64_t features{};  ///< masks of `features` in <sbgc/meta/enums.hpp>
 };
 
-/// Returns true if a board with these versions has what exists since `since`.
+/// Returns true if a board with these versions has something available since `since`.
 constexpr bool is_available(const Availability& since, const Availability& versions) noexcept {
   return since.firmware <= versions.firmware && since.board <= versions.board &&
          (since.features & versions.features) == 0;
@@ -135,7 +135,7 @@ constexpr Status decode_body(std::span<const std::uint8_t> body, [[maybe_unused]
       }
     };
     if constexpr (requires { M::has_fitting_member; }) {
-      // Without the member, or with it if only that fits exactly.
+      // First without the member, then with it if only that fits exactly.
       if (read(false) && out.tail.empty()) return {};
       if (read(true) && out.tail.empty()) return {};
     }
@@ -157,8 +157,8 @@ constexpr auto repeated_flags(std::span<const std::uint8_t> body) noexcept {
   return found.has(Context::repeats) ? found : flags;
 }
 
-/// Decodes with the flags in the context or those in the body, the first of both that fit the body
-/// exactly. Those in the body come first if the context asks for them.
+/// Decodes with the flags in the context or those in the body: the first of the two that fits the
+/// body exactly. Those in the body come first if the context asks for them.
 template <RepeatsContext M>
 constexpr Status decode_repeated(std::span<const std::uint8_t> body, M& out,
                                  typename M::Context context) noexcept {
@@ -217,7 +217,7 @@ template <Message M>
   return detail::decode_body<detail::CodedAs<M>>(body, out);
 }
 
-/// As above, for a message whose body depends on facts from earlier messages.
+/// The same for a message whose body depends on facts from earlier messages.
 template <Message M>
   requires detail::HasContext<M>
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body, M& out,

@@ -11,13 +11,13 @@
 
 namespace sbgc {
 
-/// The table with which a cyclic redundancy check is computed: more memory, fewer steps. A program
-/// that is compiled with SBGC_SMALL_CRC_TABLES, all of it, has only `nibbles`.
+/// The table for computing a cyclic redundancy check: more memory, fewer steps. A program that is
+/// entirely compiled with SBGC_SMALL_CRC_TABLES has only `nibbles`.
 enum class CrcTable : std::uint8_t {
   nibbles,  ///< 32 bytes; two steps for each byte
   bytes,    ///< 512 bytes; a step for each byte
   slices,   ///< 4 KB; a step for each eight bytes, or by multiplication if the processor can;
-            ///< the same as `bytes` for other checks than those of 16 bits with reflected input
+            ///< the same as `bytes` for checks other than those of 16 bits with reflected input
 };
 
 namespace detail {
@@ -71,7 +71,7 @@ inline constexpr auto crc_nibbles = [] {
 }  // namespace detail
 
 /// Accumulates a cyclic redundancy check over several ranges. Its register has the least
-/// significant bit first, so that bytes enter as they are if they are reflected.
+/// significant bit first, so that reflected bytes enter unchanged.
 template <auto parameters, CrcTable table>
 class Crc {
  public:

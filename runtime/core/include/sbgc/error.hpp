@@ -25,9 +25,9 @@ enum class ErrorCode : std::uint8_t {
   bad_response,   ///< the response of the board is unexpected or cannot be decoded
   bad_file,       ///< the content of a file is invalid
   incompatible,   ///< made for another board model or firmware
-  superseded,     ///< ended by a later command of the same client that stops, or moves otherwise
-  interrupted,    ///< the motion was ended by somebody else: another program, RC, a limit
-  unconfirmed,    ///< it was sent, but the board did not confirm it: it may have done it or not
+  superseded,     ///< replaced by a later motion or stop of the same client
+  interrupted,    ///< another program, RC or a limit ended the motion
+  unconfirmed,    ///< it was sent, but not confirmed: the board may or may not have executed it
 };
 
 /// The name of a code, such as "link_lost".
@@ -55,8 +55,8 @@ constexpr const char* name(ErrorCode code) noexcept {
   return "unknown_error";
 }
 
-/// True if a motion has ended because the camera obeys somebody else now. Its owner must send
-/// nothing more: no stop, and no way back.
+/// True if a motion has ended because something else controls the camera now. Its owner must send
+/// nothing more: neither a stop nor a way back.
 constexpr bool is_in_other_hands(ErrorCode code) noexcept {
   return code == ErrorCode::superseded || code == ErrorCode::interrupted;
 }

@@ -18,15 +18,15 @@ namespace sbgc {
 
 namespace detail {
 
-/// The size of a body that the message needs, and why.
+/// The body size that the message needs, and the reason.
 struct NeededSize {
   std::size_t size{};        ///< 0 if it is not known
   bool depends_on_flags{};   ///< which announce the members that are present
   const char* without = "";  ///< the only flag without which the body has the right size, or ""
 };
 
-/// Tries which size a message has without each of its flags. One type for all messages: each would
-/// be compiled for each of them.
+/// Tries which size a message has without each of its flags. Not a template, which would be
+/// compiled for each message.
 struct FlagTrial {
   NeededSize& needed;
   std::size_t body_size{};
@@ -109,7 +109,7 @@ inline std::string bytes_text(std::size_t count) {
   return std::to_string(count) + (count == 1 ? " byte" : " bytes");
 }
 
-/// Returns "26 bytes, the flags need 35", or "" if the size is not what is wrong.
+/// Returns "26 bytes, the flags need 35", or "" if the size is not the problem.
 inline std::string size_text(const Status& status, std::size_t body, const NeededSize& needed) {
   const bool is_size = status.code == Code::too_short || status.code == Code::too_long;
   if (!is_size || needed.size == 0 || needed.size == body) return "";
@@ -126,8 +126,8 @@ inline std::string size_text(const Status& status, std::size_t body, const Neede
 
 }  // namespace detail
 
-/// Says what came instead of a message: "26 bytes, the flags need 35, and 26 without
-/// ENCODER_RAW24". `status` is that of decoding the body with the same contexts.
+/// Describes what arrived instead of a message: "26 bytes, the flags need 35, and 26 without
+/// ENCODER_RAW24". `status` is the result of decoding the body with the same contexts.
 inline std::string explain(const Status& status, Direction direction, std::uint8_t id,
                            std::span<const std::uint8_t> body, const Contexts& contexts = {}) {
   const detail::NeededSize needed = detail::needed_size(direction, id, body, contexts);

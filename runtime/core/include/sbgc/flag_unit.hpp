@@ -26,7 +26,7 @@ constexpr void set_in_unit(Usual& field, Unit value, Flags& flags, typename Flag
   flags = Flags(static_cast<Raw>(on ? flags.raw() | mask : flags.raw() & ~mask));
 }
 
-/// As above, for one of several elements that share a flag; `field_of(element)` is the field.
+/// The same for one of several elements that share a flag; `field_of(element)` is the field.
 /// Returns false and changes nothing if another element has a value in the other unit. (A raw value
 /// of 0 counts as unset.)
 template <class Elements, class FieldOf, class Unit, class Flags>

@@ -22,7 +22,7 @@ class Flags {
   using raw_type = std::underlying_type_t<Flag>;
 
   constexpr Flags() = default;
-  /// Implicit, so that a single flag stands for a set of it alone.
+  /// Implicit, so that a single flag can be used as a set.
   // NOLINTNEXTLINE(google-explicit-constructor): a flag is a set of one
   constexpr Flags(Flag flag) noexcept : raw_(static_cast<raw_type>(flag)) {}
   constexpr explicit Flags(raw_type raw) noexcept : raw_(raw) {}

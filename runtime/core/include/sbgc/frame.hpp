@@ -59,8 +59,8 @@ constexpr decltype(auto) with_framing(Framing framing, Function&& function) {
 }
 
 /// True if damage is detected only by combining bytes, as in a sum. Damage that does not change the
-/// sums passes: two opposite bits of the same place, for example, or a byte lost and an equal one
-/// doubled.
+/// checksums passes: two opposite bit errors at the same bit position, for example, or a lost byte
+/// and a duplicated equal one.
 constexpr bool has_only_sums(Framing framing) noexcept {
   return with_framing(framing, [](auto f) { return !is_crc(FramingFacts<f()>::trailer_checksum); });
 }

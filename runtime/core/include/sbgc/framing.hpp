@@ -45,7 +45,7 @@ consteval bool are(const std::array<FramePart, n>& parts, const std::array<Frame
   return true;
 }
 
-/// True if the trailer's checksum covers all parts of the header from one on, and the body.
+/// True if the trailer's checksum covers the body and the header from some part on.
 template <class Facts>
 consteval bool covers_all_from(std::size_t part) {
   for (const FramePart covered : Facts::trailer_checksum_covers) {
@@ -57,7 +57,7 @@ consteval bool covers_all_from(std::size_t part) {
   return true;
 }
 
-/// Headers are alike in all framings, so that id and size are known before the framing is.
+/// All framings have the same header, so that id and size are known before the framing is.
 template <Framing framing>
 consteval bool has_usual_header() {
   using Facts = FramingFacts<framing>;
@@ -67,7 +67,7 @@ consteval bool has_usual_header() {
          are(Facts::header_checksum_covers, covered);
 }
 
-/// Returns how a checksum of a kind in the trailer is computed.
+/// Returns the algorithm for a kind of checksum in the trailer.
 template <class Facts, CrcTable table>
 consteval auto trailer_check() {
   if constexpr (Facts::trailer_checksum == ChecksumKind::sum8) {
@@ -81,8 +81,8 @@ consteval auto trailer_check() {
   }
 }
 
-/// The checksum in the trailer, little-endian. It covers the body, or all bytes from a part of the
-/// header on.
+/// The checksum in the trailer, little-endian. It covers the body, or all bytes from some part of
+/// the header on.
 template <Framing framing, CrcTable table>
 struct Trailer {
   using Facts = FramingFacts<framing>;
@@ -91,7 +91,7 @@ struct Trailer {
   using Bytes = std::make_index_sequence<sizeof(Word)>;
   static_assert(Facts::trailer_size == sizeof(Word));
 
-  /// The place of the first byte that it covers.
+  /// The offset of the first byte that it covers.
   static constexpr std::size_t offset =
       frame_header_size + 1 - Facts::trailer_checksum_covers.size();
   static_assert(covers_all_from<Facts>(offset), "another coverage requires another Trailer");
@@ -148,10 +148,10 @@ constexpr std::size_t frame_size(std::size_t body_size) noexcept {
 }
 
 /// One framing: a start byte, a header of id, body size and their sum in any order, the body, and a
-/// checksum. `table` is that of its cyclic redundancy check, if it has one.
+/// checksum. `table` is the table of its cyclic redundancy check, if it has one.
 template <Framing framing, CrcTable table = CrcTable::slices>
 struct FrameFormat {
-  /// What the specification says of this framing.
+  /// The facts of the specification about this framing.
   using Facts = FramingFacts<framing>;
   static_assert(detail::has_usual_header<framing>() && Facts::trailer.size() == 1,
                 "another header or trailer in the spec requires another is_header(), "
@@ -183,7 +183,7 @@ struct FrameFormat {
     return frame_size<framing>(body_size);
   }
 
-  /// As above, for a body whose sum is already known.
+  /// The same for a body whose sum is already known.
   static constexpr std::size_t finish(std::uint8_t* frame, std::uint8_t id, std::size_t body_size,
                                       std::uint8_t sum) noexcept
       requires(detail::has_body_sum<framing>) {
@@ -288,12 +288,11 @@ constexpr std::size_t finish(Framing framing, std::uint8_t* frame, std::uint8_t 
 
 }  // namespace detail
 
-/// The framings that a parser accepts. The start byte of a candidate says which of them it must
-/// follow.
+/// The framings that a parser accepts. The start byte of a candidate selects one of them.
 template <CrcTable table, Framing... accepted>
 struct FrameFormats {
-  static constexpr Framing first = std::array{accepted...}[0];  ///< the one to write in by default
-  static constexpr bool is_one = sizeof...(accepted) == 1;      ///< whether there is no choice
+  static constexpr Framing first = std::array{accepted...}[0];  ///< the default for writing
+  static constexpr bool is_one = sizeof...(accepted) == 1;      ///< whether it is the only one
 
   /// Returns true if a frame may begin with `byte`.
   static constexpr bool is_start(std::uint8_t byte) noexcept {
@@ -324,12 +323,12 @@ struct FrameFormats {
 template <CrcTable table, Framing... known>
 class SelectedFrameFormats {
  public:
-  static constexpr Framing first = std::array{known...}[0];  ///< the one to write in by default
-  static constexpr bool is_one = sizeof...(known) == 1;      ///< whether there is no choice
+  static constexpr Framing first = std::array{known...}[0];  ///< the default for writing
+  static constexpr bool is_one = sizeof...(known) == 1;      ///< true if only one framing is known
 
   /// Finds frames of all known framings from now on.
   constexpr void accept_all() noexcept { starts_ = {FramingFacts<known>::start...}; }
-  /// Finds frames of this framing alone from now on.
+  /// Finds only frames of this framing from now on.
   constexpr void accept_only(Framing framing) noexcept {
     static_cast<void>(
         ((framing == known && (starts_.fill(FramingFacts<known>::start), true)) || ...));
@@ -342,7 +341,7 @@ class SelectedFrameFormats {
     return result;
   }
 
-  /// Says whether the bytes begin with a frame; `available` is at least 1.
+  /// Inspects the `available` bytes at `bytes`. Precondition: available >= 1.
   constexpr Candidate inspect(const std::uint8_t* bytes, std::size_t available) const noexcept {
     if (!is_start(bytes[0])) return {Verdict::no_start, 0};
     return detail::inspect<table, known...>(bytes, available);

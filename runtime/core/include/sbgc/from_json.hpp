@@ -14,7 +14,7 @@ namespace sbgc {
 
 /// The result of reading a message from JSON; true in a condition if it succeeded.
 struct [[nodiscard]] JsonResult {
-  std::optional<JsonProblem> problem{};  ///< why the text is refused
+  std::optional<JsonProblem> problem{};  ///< why the text is rejected
 
   /// True if the message was read.
   explicit operator bool() const noexcept { return !problem; }
@@ -27,7 +27,7 @@ inline JsonResult read_json(std::string_view text, const StructTable& table, voi
   JsonTextSource source(text);
   JsonReader<JsonTextSource> reader(source);
   if (reader.message(table, message) && source.finish()) return {};
-  // Text that is not JSON at all is the first problem.
+  // Invalid JSON is reported first.
   const char* const no_json = source.problem();
   return {JsonProblem{source.line(source.at()), source.column(source.at()),
                       no_json != nullptr ? no_json : reader.reason(),
@@ -36,8 +36,8 @@ inline JsonResult read_json(std::string_view text, const StructTable& table, voi
 
 }  // namespace detail
 
-/// Reads `message` from `text`, which must be all of its JSON; it may come from anywhere. A problem
-/// leaves the message unchanged. Uses no heap unless there is one, and throws nothing.
+/// Reads `message` from `text`, which must contain nothing else and may be untrusted. A problem
+/// leaves the message unchanged. Uses no heap unless there is a problem, and never throws.
 ///
 /// Every field is required, except optional ones, counters of lists and the tail. A counter that is
 /// present must match its list.

@@ -27,7 +27,7 @@ using Json = nlohmann::ordered_json;
 /// Thrown if JSON does not describe the expected message; what() names the field and the reason.
 class JsonError : public std::runtime_error {
  public:
-  /// `field` is the path of what is wrong.
+  /// `field` is the path of the invalid value.
   JsonError(std::string field, const std::string& reason)
       : std::runtime_error(field.empty() ? reason : field + ": " + reason),
         field_(std::move(field)) {}
@@ -78,8 +78,8 @@ class JsonDomSink {
   }
 
   Json result_{};
-  Json* place_ = &result_;        // of the next value
-  std::vector<Json*> parents_{};  // none of which grows while a value in it is open
+  Json* place_ = &result_;        // where the next value goes
+  std::vector<Json*> parents_{};  // none grows while a value in it is open
 };
 
 /// A source of JsonReader: a value.
@@ -135,7 +135,7 @@ class JsonDomSource {
   std::string digits_{};
 };
 
-/// Returns JSON text in which no character controls a terminal. Text that is not UTF-8 gets U+FFFD.
+/// Returns JSON text without terminal controls. Text that is not UTF-8 gets U+FFFD.
 inline std::string json_text(const Json& json, int indent = -1) {
   const std::string text = json.dump(indent, ' ', false, Json::error_handler_t::replace);
   std::string result;

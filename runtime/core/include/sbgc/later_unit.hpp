@@ -1,4 +1,4 @@
-/// Fields that later firmware has in another unit.
+/// Fields whose unit changes with later firmware.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace sbgc::detail {
 
-/// The type of a field from a firmware on.
+/// The type of a field, starting with a firmware version.
 template <std::uint16_t firmware, class T>
 struct LaterType {
   using type = T;
@@ -38,8 +38,8 @@ struct WithUnit<T> {
   using type = T;
 };
 
-/// Calls `use(Type<Q>)` with the quantity that a field of type T is on a board with these versions.
-/// `Laters` are its types in later firmware, the first one first.
+/// Calls `use(Type<Q>)` with the quantity type of a field of type T on a board with these versions.
+/// `Laters` are its types in later firmware, the earliest first.
 template <class T, class... Laters, class Use>
 constexpr void with_type_in(const Availability& versions, Use&& use) noexcept {
   const std::size_t wanted = (0 + ... + std::size_t{Laters::since <= versions.firmware});

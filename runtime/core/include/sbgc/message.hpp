@@ -56,7 +56,7 @@ template <Framing framing, CrcTable table, class M>
 SBGC_ALWAYS_INLINE constexpr std::size_t finish_frame_of(const M& message, std::uint8_t* frame,
                                                          std::uint8_t id,
                                                          std::size_t body_size) noexcept {
-  // To sum the values of a small message is faster than to sum its bytes: they may still be in
+  // Summing the values of a small message is faster than summing its bytes: they may still be in
   // registers, and reading back members that were just set one by one would stall.
   constexpr bool is_small = is_of_fixed_size<M> && fixed_size<M> <= 24;
   if constexpr (has_body_sum<framing> && !prefers_small_code) {

@@ -16,21 +16,21 @@ namespace sbgc {
 
 // NOLINTBEGIN(google-explicit-constructor)
 
-/// The description of an error, which messages about it have.
+/// The description of an error, which messages about it contain.
 struct Explanation {
   const char* text = "";
 
   constexpr operator const char*() const noexcept { return text; }
 };
 
-/// A text about a part of the protocol, for people. A program that is compiled with
-/// SBGC_NO_DESCRIPTIONS, all of it, is smaller: it has "" in place of these texts.
+/// A text about a part of the protocol, for people. A program that is entirely compiled with
+/// SBGC_NO_DESCRIPTIONS is smaller: it has "" in place of these texts.
 #if defined(SBGC_NO_DESCRIPTIONS)
 struct Description {
   constexpr Description(const char* /*text*/) noexcept {}
   constexpr operator const char*() const noexcept { return ""; }
 };
-/// As above, but it has the texts of explanations.
+/// The same, but with the texts of explanations.
 struct DescriptionOrExplanation : Explanation {
   constexpr DescriptionOrExplanation(const char* /*text*/) noexcept {}
   constexpr DescriptionOrExplanation(Explanation explanation) noexcept : Explanation(explanation) {}
@@ -43,7 +43,7 @@ using DescriptionOrExplanation = const char*;
 
 // NOLINTEND(google-explicit-constructor)
 
-/// A sentinel: a raw value with a meaning of its own.
+/// A sentinel: a raw value with a special meaning.
 struct Special {
   std::int64_t value{};  ///< the raw value
   const char* meaning = "";
@@ -80,8 +80,8 @@ struct PartInfo {
   const char* name = "";
   std::uint64_t mask{};       ///< of the part, before the shift
   std::uint8_t shift{};       ///< to the right, in bits
-  std::uint16_t divide = 1;   ///< what the shifted part is divided by
-  std::uint16_t modulo{};     ///< then taken modulo this; 0: not
+  std::uint16_t divide = 1;   ///< the divisor of the shifted part
+  std::uint16_t modulo{};     ///< the modulus applied after that; 0: none
   std::uint64_t sign{};       ///< a bit that makes the number negative
   bool is_signed{};           ///< two's complement
   const EnumInfo* values{};   ///< the names of its values; null if it is a number
@@ -94,13 +94,13 @@ struct PartInfo {
 struct PackedInfo {
   const char* name = "";
   const char* display = "";  ///< how text shows the whole, such as a version
-  const EnumInfo* names{};   ///< of whole values; null if there are none
+  const EnumInfo* names{};   ///< names of whole values; null if there are none
   std::span<const PartInfo> parts{};
   std::uint64_t later_from{};      ///< the smallest value that has the later form
-  const char* later_display = "";  ///< how text shows that
+  const char* later_display = "";  ///< how text shows the later form
 };
 
-/// Lowest and highest raw value.
+/// The lowest and the highest raw value.
 struct Range {
   double lowest{};
   double highest{};
@@ -133,7 +133,7 @@ struct UnitInfo {
   }
 };
 
-/// The meaning of a field from a firmware on. At most one of unit, names and packed is set.
+/// The meaning of a field since some firmware. At most one of unit, names and packed is set.
 struct LaterMeaning {
   Availability since{};  ///< the first versions with this meaning
   const UnitInfo* unit{};
@@ -143,8 +143,8 @@ struct LaterMeaning {
   Description summary = "";
 };
 
-/// Returns what a field means on a board with these versions; null if that is its usual meaning,
-/// which it has before the first of `later`.
+/// Returns the meaning of a field on a board with these versions; null for its usual meaning, which
+/// it has before the first of `later`.
 constexpr const LaterMeaning* meaning_in(std::span<const LaterMeaning> later,
                                          const Availability& versions) noexcept {
   const LaterMeaning* found = nullptr;
@@ -157,19 +157,19 @@ constexpr const LaterMeaning* meaning_in(std::span<const LaterMeaning> later,
 /// An alternative unit of a raw value, in effect if the field `of` of the message has the bits
 /// `mask`. If that field has one element per axis, the one for the axis of the value counts.
 struct AlternativeUnit {
-  const char* of = "";  ///< the name of that field
+  const char* of = "";  ///< the name of the field with the mask
   std::uint32_t mask{};
   const UnitInfo* unit{};
 };
 
-/// The direction in which values count; <sbgc/axis_directions.hpp> has the directions of the axes.
+/// The sign convention of values; <sbgc/axis_directions.hpp> has the directions of the axes.
 enum class Directed : std::uint8_t {
-  no,       ///< in none: a size, a mode, a time
-  unknown,  ///< in one that is not known
-  roll,     ///< in that of the axis
+  no,       ///< no direction: a size, a mode, a time
+  unknown,  ///< the sign convention is unknown
+  roll,     ///< the direction of the axis
   pitch,
   yaw,
-  by_axis,  ///< in that of the axis whose element it is; unknown if it is an element of no axis
+  by_axis,  ///< the direction of the element's axis; unknown if it belongs to no axis
 };
 
 /// An adjustable variable. Its values are integers.
@@ -179,8 +179,8 @@ struct VariableInfo {
   Description summary = "";
   Range range{};  ///< in the unit
   UnitInfo unit{};
-  Directed directed{};                    ///< which way it counts, if it has one
-  std::span<const LaterMeaning> later{};  ///< the first one first
+  Directed directed{};                    ///< the sign convention, if any
+  std::span<const LaterMeaning> later{};  ///< the earliest first
 
   /// Returns the unit on a board with these versions.
   constexpr UnitInfo unit_in(const Availability& versions) const noexcept {
@@ -205,10 +205,10 @@ enum class SavedIn : std::uint8_t {
   unit,
 };
 
-/// Whether text and JSON show secrets, such as passwords, or `hidden_text` in place of them.
+/// Whether text and JSON show secrets, such as passwords, or replace them by `hidden_text`.
 enum class Secrets : std::uint8_t { hidden, shown };
 
-/// The text in place of a secret.
+/// The replacement for a secret.
 inline constexpr const char* hidden_text = "(hidden)";
 
 /// One member of a message or struct.
@@ -220,22 +220,22 @@ struct FieldInfo {
   const Range* range{};                ///< of the raw value; null: any
   std::span<const Special> special{};  ///< values that mean something else than a number
   std::uint16_t min_count{};           ///< of a list
-  std::uint16_t max_count{};           ///< of a list; 0: limited only by the body
+  std::uint16_t max_count{};           ///< of a list; 0: limited only by the body size
   std::uint16_t align = 1;   ///< the value, or the length of a list of bytes, is a multiple of it
-  FieldRole role{};          ///< what clients use it for
-  Directed directed{};       ///< which way it counts, if it has one
+  FieldRole role{};          ///< the way in which clients use it
+  Directed directed{};       ///< the sign convention, if any
   bool is_variable_value{};  ///< of the adjustable variable that the last VariableId names
   bool reserved{};           ///< sent as 0, and ignored
   bool optional{};           ///< may be omitted in JSON
   bool secret{};             ///< such as a password: text and JSON hide it
-  /// The name in files of the vendor's program; {n} stands for the number of the element. "": as
-  /// `spec_name`, for letters and digits; null: it has no certain one.
+  /// The name in files of the vendor's program; {n} stands for the number of the element. "": the
+  /// letters and digits of `spec_name`; null: the name is not certain.
   Description saved_as = "";
   SavedIn saved_in{};                     ///< the unit in such a file
   Availability since{};                   ///< the versions that have it
   bool unconfirmed{};                     ///< from a single source, or contradicted by another
   const AlternativeUnit* alternative{};   ///< null if it has one unit
-  std::span<const LaterMeaning> later{};  ///< the first one first
+  std::span<const LaterMeaning> later{};  ///< the earliest first
 };
 
 /// The possible effects of a message on a board and its camera.
@@ -261,7 +261,7 @@ struct MessageInfo {
   /// The preparation before the request is sent, such as how to hold the camera; "" if none.
   Description preparation = "";
 
-  /// True if text and JSON hide a part of it, such as a password.
+  /// True if text and JSON hide part of the message, such as a password.
   constexpr bool has_secret() const noexcept { return secret_from != max_body_size; }
   /// True if it is sent in this direction.
   constexpr bool travels(Direction way) const noexcept {

@@ -2,8 +2,8 @@
 ///
 /// Json::parse() of nlohmann_json copies the members of an object when it grows, keeps the first of
 /// two equal keys, stops at a NUL byte, and builds values so deep that copying one overflows the
-/// stack. parse_json() reads the same text as from_json(), in linear time, into a value that is
-/// safe to copy, compare and print.
+/// stack. parse_json() accepts the same text as from_json(), in linear time, and returns a value
+/// that is safe to copy, compare and print.
 #pragma once
 
 #include <algorithm>
@@ -32,7 +32,7 @@ struct JsonLimits {
 /// A value, or the problem that prevented parsing one.
 struct ParsedJson {
   Json value{};                          ///< the value, if there is no problem
-  std::optional<JsonProblem> problem{};  ///< why the text is refused, and where
+  std::optional<JsonProblem> problem{};  ///< why and where the text is rejected
 
   /// True if the text is JSON.
   explicit operator bool() const noexcept { return !problem; }
@@ -93,7 +93,7 @@ class JsonBuilder {
     return true;
   }
 
-  /// Reads the next value in the innermost object or list, or ends that.
+  /// Reads the next value of the innermost object or list, or closes it.
   bool next() {
     Level& level = levels_.back();
     JsonString key;
@@ -134,7 +134,7 @@ class JsonBuilder {
     return true;
   }
 
-  /// Returns the integer, also above those of `value`.
+  /// Returns the integer, even if it exceeds the range of `value`.
   static Json number(const JsonInteger& integer) {
     if (integer.value < 0) return integer.value;
     std::uint64_t result = 0;  // also of "-0"

@@ -51,8 +51,8 @@ struct ParserCounters {
 /// stream is inspected at most once as the start of a complete candidate, which costs at most the
 /// length of one frame, and a few more times by its header alone.
 ///
-/// `Formats` are the framings that it accepts, FrameFormats or SelectedFrameFormats; use Parser,
-/// SmallParser or ParserOfAll, unless it should accept others or use another table for checksums.
+/// `Formats` are the accepted framings, FrameFormats or SelectedFrameFormats; use Parser,
+/// SmallParser or ParserOfAll, unless it should accept others or use another checksum table.
 template <class Formats, Optimize optimize = Optimize::speed>
 class BasicParser {
   static_assert(optimize == Optimize::speed, "include <sbgc/small_parser.hpp>");
@@ -71,8 +71,8 @@ class BasicParser {
   SBGC_ALWAYS_INLINE void feed(std::span<const std::uint8_t> chunk, Sink&& sink) noexcept(
       std::is_nothrow_invocable_v<Sink&, const Frame&>) {
     const std::size_t held = held_;  // a local, because copying to buffer_ could change held_
-    // The fast paths: most small chunks do not complete the waiting candidate, and most bytes of
-    // noise are no start. The rest is called unlikely to keep them together.
+    // The fast paths: most small chunks do not complete the pending candidate, and most noise bytes
+    // are not start bytes. The rest is marked as unlikely to keep them together.
     if (chunk.size() < sizeof buffer_ && held + chunk.size() < needed_) {
       copy(buffer_ + held, chunk.data(), chunk.size());
       held_ = held + chunk.size();

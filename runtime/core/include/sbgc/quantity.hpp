@@ -17,7 +17,7 @@ namespace detail {
 template <class>
 inline constexpr bool always_false = false;
 
-/// Names the reason of an error of the compiler: see the quantities.
+/// The reason for a compile error; see the quantities.
 // NOLINTNEXTLINE(readability-identifier-naming): a sentence
 struct a_number_has_no_unit_write_a_literal_such_as_30_deg_or_use_from_degrees {};
 
@@ -73,7 +73,7 @@ concept Exponential = requires {
   Self::growth;
 };
 
-/// A number of the wire as a program has it.
+/// The type of a wire number in a program.
 template <class Number>
 struct NumberInfo {
   using Raw = Number;
@@ -87,7 +87,7 @@ struct NumberInfo<Integer24<Integer>> {
   static constexpr Raw highest = Integer24<Raw>::highest;
 };
 
-/// Returns the integer nearest to a number that it can hold.
+/// Returns the integer nearest to a number, which must be in range.
 template <class Integer>
 constexpr Integer nearest_integer(double number) noexcept {
   // The remainder is exact; number + 0.5 would not be.
@@ -98,7 +98,7 @@ constexpr Integer nearest_integer(double number) noexcept {
 }
 
 /// The base of all quantities: real value = raw * numerator / denominator + offset, in `Unit`. If
-/// Self has a `growth`, growth^raw takes the place of raw. `Number` is that of the wire.
+/// Self has a `growth`, growth^raw takes the place of raw. `Number` is the type on the wire.
 template <class Self, class Number, class Unit, std::int64_t numerator, std::int64_t denominator,
           std::int64_t offset_numerator = 0, std::int64_t offset_denominator = 1>
 class Quantity {
@@ -112,7 +112,7 @@ class Quantity {
   static constexpr const char* unit = Unit::text;
 
   constexpr Quantity() = default;
-  /// Traps if the wire cannot carry the number, which may have fewer bits there than in memory.
+  /// Traps if the number does not fit on the wire, where it may have fewer bits than in memory.
   constexpr explicit Quantity(Raw raw) noexcept : number_(raw) {}
   /// Never compiles; the error explains what to write instead.
   template <std::floating_point Real>
@@ -152,12 +152,12 @@ class Quantity {
     }
     constexpr auto lowest = static_cast<double>(NumberInfo<Number>::lowest);
     constexpr auto highest = static_cast<double>(NumberInfo<Number>::highest);
-    // Written so that NaN also fails.
+    // Written such that NaN also fails.
     if constexpr (std::floating_point<Raw>) {
       if (!(exact >= lowest && exact <= highest)) return {};
       return Conversion<Self>(Self(static_cast<Raw>(exact)));
     } else {
-      // With 64 bits, `highest` is one above the highest, and `lowest - 0.5` is `lowest`.
+      // With 64 bits, `highest` is one too high, and `lowest - 0.5` equals `lowest`.
       if (!((exact >= lowest || exact > lowest - 0.5) && exact < highest + 0.5)) return {};
       using Wide = std::conditional_t<sizeof(Raw) == 8, Raw, std::int64_t>;
       return Conversion<Self>(Self(static_cast<Raw>(nearest_integer<Wide>(exact))));

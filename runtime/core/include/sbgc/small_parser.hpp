@@ -12,8 +12,8 @@
 namespace sbgc {
 
 /// Copies each byte into its buffer and decides a candidate when its last byte arrives. Half the
-/// code of the other parser; far slower on a PC, but fast enough for any UART. The body of a frame
-/// is always a view into the parser, valid only during the call of the sink.
+/// code size of the other parser; far slower on a PC, but fast enough for any UART. The body of a
+/// frame is always a view into the parser, valid only during the call of the sink.
 template <class Formats>
 class BasicParser<Formats, Optimize::size> {
  public:
@@ -51,8 +51,8 @@ class BasicParser<Formats, Optimize::size> {
   void reset() noexcept { *this = BasicParser{formats_}; }
 
  private:
-  /// Delivers the frames among the held bytes, which `following` bytes of the chunk follow. What
-  /// remains is an incomplete candidate.
+  /// Delivers the frames among the held bytes; `following` bytes of the chunk come after them. Only
+  /// an incomplete candidate remains.
   template <class Sink>
   SBGC_NOINLINE void settle(std::uint32_t following, Sink& sink) {
     while (held_ != 0 && needed_ <= held_) {
@@ -84,7 +84,7 @@ class BasicParser<Formats, Optimize::size> {
     held_ = held;
   }
 
-  /// Removes the first bytes and those after them that begin no frame.
+  /// Removes the first `count` bytes, and further ones up to the next possible start of a frame.
   void remove(std::size_t count) noexcept {
     while (count < held_ && !formats_.is_start(buffer_[count])) ++count;
     held_ = static_cast<std::uint16_t>(held_ - count);

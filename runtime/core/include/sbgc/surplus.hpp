@@ -17,8 +17,8 @@
 
 namespace sbgc {
 
-/// A request and its surplus. Codec, JSON and text treat it like a message that keeps a tail;
-/// requests themselves have none, so that they stay small.
+/// A request and its surplus. Codec, JSON and text treat it like a message that keeps a tail; plain
+/// requests have no tail, so that they stay small.
 template <Message M>
 struct WithSurplus : M {
   using Body = WithSurplus;
@@ -50,7 +50,7 @@ inline constexpr bool takes_surplus =
     M::direction == Direction::to_board && !detail::HasContext<M> && M::max_size < max_body_size &&
     M::max_size == largest_request(static_cast<std::uint8_t>(M::command), newest);
 
-/// A message as its receiver reads it: with the surplus, if there may be any.
+/// A message as its receiver reads it: with surplus if it may have any.
 template <Message M>
 using Received = std::conditional_t<takes_surplus<M>, WithSurplus<M>, M>;
 
@@ -95,7 +95,7 @@ template <Message M>
   return {size, {}};
 }
 
-/// As select(), but also selects the message of a request with surplus.
+/// Like select(), but also selects the message of a request with surplus.
 template <class Use>
 constexpr Code select_received(Direction direction, std::uint8_t id, std::size_t size, Use&& use,
                                const Contexts& contexts = detail::nothing_known) {
@@ -104,8 +104,8 @@ constexpr Code select_received(Direction direction, std::uint8_t id, std::size_t
   return select(direction, id, size < largest ? size : largest, std::forward<Use>(use), contexts);
 }
 
-/// As visit(), but also decodes requests with surplus. The visitor gets Received<M> and must accept
-/// all messages.
+/// Like visit(), but also decodes requests with surplus. The visitor gets Received<M> and must
+/// accept all messages.
 template <class Visitor>
 constexpr Status visit_received(std::uint8_t id, std::span<const std::uint8_t> body,
                                 Direction direction, Visitor&& visitor,

@@ -92,7 +92,7 @@ template <>
 inline constexpr bool is_printable<Violation> = true;
 
 /// Returns the name of a value, the names of flags, the parts of a packed value, or a number with
-/// its unit; what has no name as a number.
+/// its unit. Unnamed values become numbers.
 template <detail::NamedEnum E>
 std::string to_string(E value) {
   const auto raw = static_cast<std::underlying_type_t<E>>(value);
@@ -130,7 +130,7 @@ inline std::string to_string(Rule rule) { return name(rule); }
 
 namespace detail {
 
-/// Writes a version in the notation of the protocol, if that has one.
+/// Writes a version in the notation of the protocol, if it has one.
 template <class Version>
 inline void put_version(TextOutput& out, double version) {
   if constexpr (std::is_integral_v<Version>) {
@@ -181,7 +181,7 @@ inline void put_violation(TextOutput& out, const Violation& violation) {
       return out.put(feature_names(static_cast<std::uint64_t>(violation.limit)));
   }
 }
-/// Returns what put_violation() writes.
+/// Returns the text that put_violation() writes.
 inline std::string violation_text(const Violation& violation) {
   return detail::text_of([&](TextOutput& out) { put_violation(out, violation); });
 }
@@ -195,7 +195,7 @@ inline std::string to_string(const Violation& violation) {
   const bool is_of_version = violation.rule == Rule::firmware || violation.rule == Rule::board ||
                              violation.rule == Rule::feature;
   if (is_of_version && violation.named == nullptr && violation.value == 0) {
-    return to_string(violation.path) + ": " + violation_text(violation);  // that it is present
+    return to_string(violation.path) + ": " + violation_text(violation);  // its presence
   }
   return to_string(violation.path) + ": " + value + ' ' + violation_text(violation);
 }

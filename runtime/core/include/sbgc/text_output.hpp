@@ -63,24 +63,24 @@ class TextOutput {
     }
   }
 
-  /// Returns memory for `size` characters, at most most_room; then tell advance() the end of what
-  /// was written.
+  /// Returns memory for `size` characters, at most most_room; afterwards, pass the end of the
+  /// written characters to advance().
   char* room(std::size_t size) {
     if (free() < size) make_room();
     return at_;
   }
-  /// Takes what was written up to `end` into the space.
+  /// Accepts the characters written up to `end`.
   void advance(char* end) { at_ = end; }
 
-  /// The most characters that room() can provide.
+  /// The maximum number of characters that room() can provide.
   static constexpr std::size_t most_room = 512;
-  static constexpr std::size_t longest_number = 32;  ///< the space that any number fits into
+  static constexpr std::size_t longest_number = 32;  ///< enough space for any number
 
  protected:
   TextOutput() = default;
   ~TextOutput() = default;
 
-  /// Takes the text up to end_of_text(), and provides free memory of at least most_room
+  /// Takes the text up to end_of_text(), and provides free memory for at least most_room
   /// characters.
   virtual void make_room() = 0;
   void provide(char* begin, char* end) {

@@ -2,9 +2,9 @@
 ///
 /// The JSON is nested like the C++ struct. Integers are raw values, bytes are lowercase hex, texts
 /// are strings, missing optional members are omitted. The conversion is lossless: the message that
-/// from_json() reads from it encodes to the same bytes; but a secret, such as a password, is
-/// "(hidden)", which from_json() refuses, unless it is to be shown. Include the tables of the
-/// messages: <sbgc/meta/control.hpp>, for example, or <sbgc/meta/all.hpp>.
+/// from_json() reads from it encodes to the same bytes; but unless they are shown, secrets, such as
+/// passwords, become "(hidden)", which from_json() rejects. Include the tables of the messages:
+/// <sbgc/meta/control.hpp>, for example, or <sbgc/meta/all.hpp>.
 #pragma once
 
 #include <concepts>
@@ -72,7 +72,7 @@ std::string to_json(const M& message, Secrets secrets = Secrets::hidden) {
 }
 
 /// Writes as much of the JSON of a message as fits into `buffer`, without a final NUL and without
-/// heap. Returns the size of all of it.
+/// heap. Returns the total size.
 template <class M>
 std::size_t to_json(const M& message, std::span<char> buffer) {
   return detail::json_in(buffer, detail::table_of<M>(), &message);

@@ -42,7 +42,7 @@ struct Xyz {
 
   static constexpr std::size_t size() noexcept { return 3; }
 
-  /// 0 is x, 1 y, 2 z.
+  /// 0 is x, 1 is y, 2 is z.
   constexpr T& operator[](std::size_t index) noexcept {
     return index == 0 ? x : index == 1 ? y : z;
   }
@@ -53,7 +53,7 @@ struct Xyz {
   friend constexpr bool operator==(const Xyz&, const Xyz&) = default;
 };
 
-/// A 24-bit integer of the wire.
+/// A 24-bit integer as on the wire.
 template <class Raw>
 class Integer24 {
  public:
@@ -92,8 +92,8 @@ namespace detail {
 
 struct Places;
 
-/// Returns true for a text that readers take for one although the bytes could be something else: it
-/// is not empty, and has no control characters.
+/// Returns true for a text that readers recognize although the bytes could be something else: it is
+/// not empty, and has no control characters.
 template <class Byte>
 constexpr bool is_evident_text(const Byte* bytes, std::size_t size) noexcept {
   constexpr std::uint8_t space = 0x20;
@@ -103,7 +103,7 @@ constexpr bool is_evident_text(const Byte* bytes, std::size_t size) noexcept {
   return size != 0;
 }
 
-/// Room for the elements of a list, not initialized at run time: lists are usually much shorter
+/// Storage for the elements of a list, not initialized at run time: lists are usually much shorter
 /// than their capacity. A union, because copying one copies its bytes, initialized or not.
 template <class T, std::size_t n>
 union Room {
@@ -163,8 +163,8 @@ class BoundedArray {
     return true;
   }
 
-  /// The same for a caller that assigns the added elements before they are read. Those of trivial
-  /// types are not initialized.
+  /// The same for a caller that assigns the added elements before they are read. Elements of
+  /// trivial types are not initialized.
   constexpr bool resize_for_overwrite(std::size_t size) noexcept {
     if constexpr (!std::is_trivially_default_constructible_v<T>) return resize(size);
     if (size > n) return false;
@@ -241,7 +241,7 @@ class BoundedText {
   /// Returns false and changes nothing if it is full.
   constexpr bool push_back(char value) noexcept { return chars_.push_back(value); }
 
-  /// As Text::assign().
+  /// See Text::assign().
   template <class String>
   constexpr bool assign(const String& text) noexcept {
     if (!chars_.resize_for_overwrite(text.size())) return false;
@@ -265,8 +265,8 @@ class Optional {
   /// Holds a value; implicit, as in {.pitch = value}.
   // NOLINTNEXTLINE(google-explicit-constructor): a value is an optional value
   constexpr Optional(const T& value) noexcept : value_(value), present_(true) {}
-  /// From anything that converts to T, such as the literal of a quantity. T itself refuses numbers
-  /// that it does not take.
+  /// Converts from anything that converts to T, such as the literal of a quantity. T itself rejects
+  /// numbers that it does not accept.
   template <class U>
     requires(std::is_arithmetic_v<U> ? std::is_class_v<T> : std::convertible_to<const U&, T>)
   // NOLINTNEXTLINE(google-explicit-constructor): see above
@@ -286,7 +286,7 @@ class Optional {
 
   /// Removes the value.
   constexpr void reset() noexcept { present_ = false; }
-  /// Makes the value present and returns it; it is the value held last.
+  /// Makes the value present and returns it; it keeps the last value held.
   constexpr T& emplace() noexcept {
     present_ = true;
     return value_;
@@ -310,7 +310,7 @@ class Optional {
 
 namespace detail {
 
-/// The places of the parts of these types in memory.
+/// The offsets of the parts of these types in memory.
 struct Places {
   template <class List>
   static consteval std::size_t of_elements() noexcept {

@@ -34,9 +34,9 @@ constexpr bool is_plainly_valid(const M& message, const Availability& versions) 
 ///
 /// Sentinels are allowed. Reserved bytes, unknown flags and unknown enum values are not checked,
 /// because later firmware gives them a meaning. A value that a later version introduced is reported
-/// if it is not 0, and an optional field whenever it is present. What the board does not use, as
-/// the values of other fields say, may have any value. To check the message as a whole, use
-/// is_supported(). In a constant expression, a message with violations does not compile.
+/// if it is not 0, and an optional field whenever it is present. Fields that the board does not
+/// use, depending on the values of other fields, may have any value. To check the message as a
+/// whole, use is_supported(). In a constant expression, a message with violations does not compile.
 template <class M, class Report>
 constexpr bool validate(const M& message, const Availability& versions, Report&& report) {
   if (detail::is_plainly_valid(message, versions)) return true;
@@ -45,7 +45,7 @@ constexpr bool validate(const M& message, const Availability& versions, Report&&
                                    detail::call_report<std::remove_reference_t<Report>>, user);
 }
 
-/// As above, for the newest board.
+/// The same for the newest board.
 template <class M, class Report>
 constexpr bool validate(const M& message, Report&& report) {
   return validate(message, newest, report);

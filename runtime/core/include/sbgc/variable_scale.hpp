@@ -36,8 +36,8 @@ constexpr std::int32_t variable_value(const VariableScale& scale, const T& setti
       nearest(std::int64_t{raw_of(setting)} * scale.denominator - scale.addend, scale.numerator));
 }
 
-/// Raw values in `special` have a meaning of their own, such as "disabled". Only a value that
-/// converts to one of them exactly sets it; other values get the adjacent raw value.
+/// Raw values in `special` have a special meaning, such as "disabled". Only a value that converts
+/// to one of them exactly sets it; other values get the adjacent raw value.
 template <class T>
 constexpr void set_variable(const VariableScale& scale, T& setting, std::int32_t value,
                             std::initializer_list<std::int64_t> special = {}) noexcept {

@@ -14,8 +14,8 @@ namespace sbgc {
 
 namespace detail {
 
-/// The body cannot be part of the message (restrict), so the compiler need not write initial values
-/// that decoding replaces. Body and size are values: to read a span just written would stall.
+/// The body cannot be part of the message (restrict), so the compiler can omit initial values that
+/// decoding replaces. Body and size are values, as reading a span just written would stall.
 template <class M, class Visitor>
 constexpr Status decode_and_call(const std::uint8_t* SBGC_RESTRICT data, std::size_t size,
                                  Visitor& visitor, const Contexts& contexts) {
@@ -28,7 +28,7 @@ constexpr Status decode_and_call(const std::uint8_t* SBGC_RESTRICT data, std::si
     status = decode(body, message);
   }
   if (status) {
-    // The visitor may overwrite the body: the compiler must not read it later than here.
+    // The visitor may overwrite the body: the compiler must not read it after this point.
     if (!detail::is_constant_evaluated()) __atomic_signal_fence(__ATOMIC_SEQ_CST);
     visitor(std::as_const(message));
   }
@@ -62,14 +62,14 @@ constexpr Status visit(std::uint8_t id, std::span<const std::uint8_t> body, Dire
   return code == Code::ok ? status : Status{code};
 }
 
-/// As above, for a frame found by the parser.
+/// The same for a frame found by the parser.
 template <class Visitor>
 constexpr Status visit(const Frame& frame, Direction direction, Visitor&& visitor,
                        const Contexts& contexts = {}) {
   return visit(frame.id, frame.body, direction, std::forward<Visitor>(visitor), contexts);
 }
 
-/// As visit(frame, direction, overloaded{first, second, more...}).
+/// The same as visit(frame, direction, overloaded{first, second, more...}).
 template <class First, class Second, class... More>
   requires(!std::same_as<std::remove_cvref_t<Second>, Contexts>)
 constexpr Status visit(const Frame& frame, Direction direction, First&& first, Second&& second,

@@ -11,7 +11,7 @@
 
 namespace sbgc::wire {
 
-/// A number type of the wire.
+/// A number type on the wire.
 template <class T>
 concept Number = std::same_as<T, std::uint8_t> || std::same_as<T, std::int8_t> ||
     std::same_as<T, std::uint16_t> || std::same_as<T, std::int16_t> ||

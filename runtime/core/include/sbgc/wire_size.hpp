@@ -34,7 +34,7 @@ concept TaggedUnion = requires {
   T::wire_size;
 };
 
-/// A struct whose size on the wire grew with a firmware; all elements of a list have one of its
+/// A struct whose size on the wire grew with some firmware; all elements of a list have one of its
 /// `element_sizes`.
 template <class T>
 concept GrownElement = requires {
@@ -74,13 +74,13 @@ consteval std::size_t size_of_value() noexcept;
 template <class T>
 inline constexpr std::size_t wire_size = detail::size_of_value<T>();
 
-/// The unit of the counter of a list: bytes, or elements but one.
+/// The unit of the counter of a list: bytes, or elements minus one.
 enum class Counting : unsigned char { bytes, minus_1 };
 
 namespace detail {
 
-/// Returns the value of the counter of a list, which is not empty if it counts all elements but
-/// one.
+/// Returns the value of the counter of a list. The list must not be empty if it counts elements
+/// minus one.
 template <Counting counting, class List>
 constexpr std::size_t counter_of(const List& list) noexcept {
   if constexpr (counting == Counting::bytes) {

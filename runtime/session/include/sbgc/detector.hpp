@@ -25,10 +25,10 @@ struct DetectorOptions {
   /// Further requests per visit on a line where the board sends frames, but has not answered.
   std::uint8_t more_probes = 3;
   Duration settle = milliseconds(10);  ///< between setting a line and the first request
-  /// The timeout of a response in the first round, plus its time on the line; n times that in
+  /// The timeout of a response in the first round, excluding its time on the line; n times that in
   /// round n.
   Duration response_timeout = milliseconds(60);
-  /// The frame that makes the board introduce itself, if not the usual one: a port may want a
+  /// The frame that requests the board's introduction, if not the usual one: a port may require a
   /// password. Must outlive the detector.
   std::span<const std::uint8_t> question{};
 };
@@ -45,7 +45,7 @@ struct Trial {
 
 /// The action that the caller must take before it calls next() again.
 struct DetectorStep {
-  /// What to do next.
+  /// The next action.
   enum class Kind : std::uint8_t {
     set_line,  ///< change to `line` and discard bytes received before, or call refuse()
     write,     ///< write `bytes`
@@ -74,7 +74,7 @@ class Detector {
   /// Begins with the first trial.
   constexpr explicit Detector(const DetectorOptions& options = {}) noexcept : options_(options) {
     if (options_.question.empty()) options_.question = usual_question;
-    // All rates that the protocol names come before the others, for any parity.
+    // All rates named in the protocol come first, with any parity.
     std::size_t next = 0;
     for (const bool named : {true, false}) {
       for (const Parity parity : parities) {

@@ -20,11 +20,11 @@ struct CorrelationField {
   std::uint8_t offset{};   ///< in the body of the response
   std::uint8_t size{};     ///< in bytes
   std::uint16_t unused{};  ///< instead of padding, see Responses
-  std::uint32_t value{};   ///< of which these bytes must be there
+  std::uint32_t value{};   ///< its lowest bytes must be there
 
   bool operator==(const CorrelationField&) const = default;
 
-  /// Returns true if the body has these bytes, or is too short to have them.
+  /// Returns true if the body has these bytes, or is too short to contain them.
   constexpr bool holds(std::span<const std::uint8_t> body) const noexcept {
     if (body.size() < std::size_t{offset} + size) return true;
     for (std::size_t i = 0; i < size; ++i) {
@@ -34,7 +34,7 @@ struct CorrelationField {
   }
 
   /// Returns true if no body can have both these bytes and those of `other`. Only compares fields
-  /// of the same place.
+  /// at the same position.
   constexpr bool excludes(const CorrelationField& other) const noexcept {
     return size != 0 && offset == other.offset && size == other.size && value != other.value;
   }
@@ -45,9 +45,9 @@ struct CorrelationField {
   }
 };
 
-/// The most fields by which a response is told from those of other requests.
+/// The maximum number of fields that distinguish a response from those of other requests.
 inline constexpr std::size_t max_correlation_fields = 2;
-/// The most messages that may answer one request.
+/// The maximum number of message types that may answer one request.
 inline constexpr std::size_t max_response_forms = 2;
 
 /// A message that answers a request.
@@ -85,8 +85,8 @@ struct ResponseForm {
   }
 };
 
-/// How likely the board is to confirm a request, in ascending order. Only `never` and `always` are
-/// certain.
+/// The likelihood that the board confirms a request, in ascending order. Only `never` and `always`
+/// are certain.
 enum class Confirmed : std::uint8_t { never, unlikely, possible, always };
 
 /// The possible responses to a request: messages and confirmations.
@@ -159,11 +159,11 @@ struct ConfirmationResult {
   }
 };
 
-/// The most bytes of a request that tell a data stream from others of its command.
+/// The maximum number of bytes in a request that distinguish a data stream from others.
 inline constexpr std::size_t max_stream_config = 8;
 
-/// The start, change or end of a data stream by a request. `command` and `config` identify the
-/// stream. Of a request without an effect, they identify that whose samples are like its answer.
+/// The start, change or end of a data stream. `command` and `config` identify the stream; for a
+/// request without an effect, the stream whose samples look like its answer.
 struct StreamChange {
   std::uint8_t command{};       ///< id of its messages; 0: the request concerns no stream
   std::uint8_t size{};          ///< of their bodies
@@ -173,7 +173,7 @@ struct StreamChange {
 
 /// The response policy of a request. Get it from response_policy().
 struct ResponsePolicy {
-  Responses responses{};         ///< what may answer it
+  Responses responses{};         ///< the possible responses
   std::uint8_t confirmations{};  ///< number of confirmations of a confirmed request
   bool response_required{};      ///< a message answers, unless the request fails
   bool retry_is_safe{};          ///< sending it twice has the same effect as sending it once
@@ -183,16 +183,16 @@ struct ResponsePolicy {
   bool stops{};                  ///< it stops all motion
   std::uint8_t series{};         ///< id of messages that precede the response; 0: none do
   /// The timeout of the response message or the first confirmation; with a series, the longest
-  /// silence of the board until the response. Assumption: the values of this and of finish_ms; the
-  /// specification states no times.
+  /// silence of the board until the response. The values of this and of finish_ms are assumptions;
+  /// the specification states no times.
   std::uint32_t timeout_ms{};
-  /// For the last confirmation, or the response after a series, from the request on; 0: the same.
+  /// The timeout of the last confirmation, or of the response after a series; 0: the same.
   std::uint32_t finish_ms{};
   ConfirmationResult result{};  ///< a result that its confirmation holds
   StreamChange stream{};        ///< a data stream that it starts, changes or ends
 
   /// Returns true if this request must not follow a later one, of any host. A stop is never
-  /// superseded: speed 0 is less than motors off.
+  /// superseded: speed 0 is weaker than motors off.
   constexpr bool is_superseded_by(const ResponsePolicy& later) const noexcept {
     return moves && !stops && later.stops;
   }
@@ -200,11 +200,11 @@ struct ResponsePolicy {
   /// Returns true if it starts, changes or ends `stream`.
   constexpr bool changes_stream() const noexcept { return stream.command != 0 && has_effect; }
 
-  /// Returns true if the response comes when what takes long is done. Meanwhile, the board answers
-  /// other requests, and refuses another one of this kind at once.
+  /// Returns true if the response arrives only when a long operation is done. Meanwhile, the board
+  /// answers other requests, and refuses another one of this kind at once.
   constexpr bool is_answered_at_end() const noexcept { return timeout_ms > 5000; }
 
-  /// Returns true if a response comes unless it is lost or the request fails.
+  /// Returns true if a response arrives unless it is lost or the request fails.
   constexpr bool is_certain() const noexcept {
     return response_required || responses.confirmed == Confirmed::always;
   }

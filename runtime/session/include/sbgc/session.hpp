@@ -47,21 +47,20 @@ struct SessionCapacity {
 ///
 /// - Every request that send() accepts completes with exactly one event.
 /// - Requests are sent with the pauses that the protocol requires; a response ends the pause.
-/// - A request with an effect is never sent, first or again, after a later one of the same host.
-///   It waits for no response. If several in flight have the same response, that with the fewest
-///   confirmations gets it, then the oldest.
+/// - A request with an effect is never sent, or resent, after a later one of the same host. It does
+/// not wait for responses. If several in flight have the same response, the one with the fewest
+/// confirmations gets it, then the oldest.
 /// - A request that stops all motion is sent next. Motion that any host has requested before and
 ///   that is still queued is not sent: it completes with `superseded`. Others follow the stop.
 /// - A request that only reads waits while its response could be confused with that of an earlier
-///   one, in flight or late; unrelated ones overtake it. So a late reply never answers it. Requests
-///   of the same host, if it is not 0, do not wait for each other, and reads do not overtake.
+/// one, in flight or late; unrelated ones overtake it. So a late reply never answers it. Requests
+/// of the same host, if it is not 0, do not wait for each other, and reads do not overtake.
 /// - While a data stream runs, a request for the same message and content is not sent if a sample
-/// is
-///   due in time: that is the answer. If only the content differs, it is sent after a sample, and
-///   the answer must arrive before the next one can; a frame that can be both belongs to nobody.
-/// - The pause after a request whose response nobody waits for begins with its first byte, and a
-///   pause that a late poll() has extended shortens the next one: so requests at an even rate stay
-///   even.
+/// is due in time: that is the answer. If only the content differs, it is sent after a sample, and
+/// the answer must arrive before the next one can; an ambiguous frame matches no request.
+/// - The pause after a request whose response is not awaited begins with its first byte, and a
+/// pause that a late poll() has extended shortens the next one: so requests at an even rate stay
+/// even.
 /// - The sink may call send(), cancel(), set_line() and the const functions, but not feed(),
 ///   poll(), written() or abandon(). It must not throw. When the session reports an event, its
 ///   state is up to date: the event does not affect a request that the sink sends.
@@ -197,7 +196,7 @@ class BasicSession {
     return false;
   }
 
-  /// To be called when the link is lost: completes every request with `link_lost` and discards the
+  /// Call this when the link is lost: completes every request with `link_lost` and discards the
   /// known state of the board. The session can continue on another link.
   template <class Sink>
   void abandon(Sink&& sink) {
@@ -236,7 +235,7 @@ class BasicSession {
   using Request = detail::SessionRequest<capacity.body>;
   using State = detail::RequestState;
 
-  /// A session for one request at a time needs neither order nor hosts, and knows no series.
+  /// A session for one request at a time needs no order or hosts, and does not support series.
   static constexpr bool is_shared = capacity.requests > 1;
   static constexpr bool has_streams = capacity.streams != 0;
 
@@ -293,13 +292,13 @@ class BasicSession {
 
   /// Returns true if the request must wait for another open one.
   bool blocks(const Request& other, const Request& request) const noexcept {
-    // Requests do not pass a trial, in either direction.
+    // Requests do not overtake a trial, or vice versa.
     const bool is_older = other.is_older_than(request.handle);
     if (is_trial(other) && is_older) return true;
     if (is_trial(request) && other.is_in_flight()) return true;
     if (request.policy.has_effect) return false;
     if constexpr (has_streams) {
-      // Whether a frame is a sample is known when the change is confirmed.
+      // Only when the change is confirmed is it known whether a frame is a sample.
       const bool changes = other.policy.changes_stream() && (other.is_in_flight() || is_older);
       if (changes && other.policy.stream.command == request.policy.responses.forms[0].id)
         return true;
@@ -310,8 +309,8 @@ class BasicSession {
            request.policy.responses.can_be_confused_with(other.policy.responses);
   }
 
-  /// Returns true if the request and one of `host` are of the same host, and that tells the
-  /// responses to them apart.
+  /// Returns true if the request and one of `host` belong to the same host, which distinguishes the
+  /// responses to them.
   static bool knows_its_own(const Request& request, std::uint16_t host) noexcept {
     return is_shared && host != 0 && request.host == host;
   }
@@ -323,7 +322,7 @@ class BasicSession {
     return is_free(request);
   }
 
-  /// Returns what the samples of running streams allow.
+  /// Returns whether the samples of running streams allow sending the request.
   detail::Gate gate_for(const Request& request) const noexcept {
     const Responses& responses = request.policy.responses;
     if (request.policy.has_effect || !streams_.has(responses.forms[0].id)) {
@@ -356,7 +355,7 @@ class BasicSession {
     return !responses.are_possible() || late_replies_.has_room(in_flight);
   }
 
-  /// Ends, or does not repeat, what must not follow a request with an effect that was just sent.
+  /// Ends, or stops repeating, requests that must not follow one with an effect that was just sent.
   template <class Sink>
   void end_older(Handle sent, std::uint16_t host, const ResponsePolicy& policy, Sink& sink) {
     for (Request& request : requests_) {
@@ -430,7 +429,7 @@ class BasicSession {
     return responses.are_possible() ? frame_size(framing(), size) : 0;
   }
 
-  /// Returns the time after which even a late response cannot arrive any more.
+  /// Returns the time after which not even a late response can arrive.
   Ticks late_after(Ticks response_left, Ticks finish) const noexcept {
     return response_left + finish + settings_.late;
   }
@@ -477,7 +476,7 @@ class BasicSession {
     }
   }
 
-  /// Ends the requests whose answers could not be told from samples.
+  /// Ends the requests whose answers would be indistinguishable from samples.
   template <class Sink>
   void end_indistinct(Sink& sink) {
     const Handle next = next_handle();
@@ -533,7 +532,7 @@ class BasicSession {
   template <class Sink>
   void take(const Frame& frame, Sink& sink) {
     const Handle next = next_handle();
-    // The only request gets what answers it by its id: to compare sizes first would take code.
+    // The only request is matched by id alone: comparing sizes first would take code.
     const detail::Meaning meaning = detail::meaning_of(frame, streams_.has(frame.id), !is_shared);
     const bool is_reset = meaning.kind == EventKind::reset;
     const bool is_error = meaning.kind == EventKind::board_error;
@@ -587,7 +586,7 @@ class BasicSession {
   SBGC_ALWAYS_INLINE Found found_for(detail::Meaning meaning) noexcept {
     Found found = found_once(meaning);
     if constexpr (is_shared) {
-      // A frame with the size of no answer and no sample is an answer that does not decode.
+      // A frame whose size fits no answer and no sample is an answer that does not decode.
       meaning.any_size = found.candidates == 0 && (meaning.kind == EventKind::unsolicited ||
                                                    meaning.kind == EventKind::stream);
       if (meaning.any_size) found = found_once(meaning);
@@ -607,25 +606,25 @@ class BasicSession {
     return found;
   }
 
-  /// Returns true if the oldest request that a frame can answer is the one that it answers.
+  /// Returns true if a frame answers the oldest of the requests that it can answer.
   static bool has_order(const Request* meant, const detail::Meaning& meaning) noexcept {
     if constexpr (!is_shared) return false;
     return meant != nullptr && meant->policy.has_effect && !meaning.is_anonymous();
   }
 
   /// Returns true if a frame that can be a response to `request` is one to an earlier request, or
-  /// is repeated.
+  /// is a duplicate.
   static bool belongs_to_earlier(const Request& request, bool is_confirmation,
                                  const Late& late) noexcept {
     if (is_confirmation && request.duplicate_left != 0) return true;
     if (late.count == 0 || late.entry->frames == 0) return false;
-    // Else `late` is about the end of what takes long.
+    // Otherwise `late` refers to the end of a long operation.
     return request.policy.confirmations < 2 && (!is_shared || request.policy.has_effect);
   }
 
   /// Called when the board responds to `request`. If that was the last frame sent, the board has
-  /// read its input buffer empty, which ends the pause. A response to a resent request may be that
-  /// to its first transmission.
+  /// emptied its input buffer, which ends the pause. A response to a resent request may belong to
+  /// its first transmission.
   void end_pause(const Request& request) noexcept {
     if (!settings_.until_response) return;
     if (request.handle != sent_.handle || request.transmissions != 1) return;
@@ -670,7 +669,7 @@ class BasicSession {
     return request.late_left > late ? request.late_left - late : 0;
   }
 
-  /// Finds the request whose response a series of such messages precedes.
+  /// Matches a message to the request whose response is preceded by a series of such messages.
   void take_in_series(Event& event) noexcept {
     for (Request& request : requests_) {
       if (!request.is_in_flight() || request.policy.series != event.frame.id) continue;
@@ -687,8 +686,8 @@ class BasicSession {
     request.attempt_left = detail::shorter(request.timeout, finish_left(request));
   }
 
-  /// Completes the requests that have waited for a sample, older than `next`, with this one.
-  /// Returns true if there were any. The first event tells the sample to others.
+  /// Completes the requests older than `next` that have waited for a sample with this one. Returns
+  /// true if there were any. The first event marks it as a sample.
   template <class Sink>
   bool answer_with_sample(const Frame& frame, Sink& sink, Handle next) {
     Sample sample = Sample::yes;
@@ -710,10 +709,10 @@ class BasicSession {
     for (Request& request : requests_) request.policy.stream = {};
   }
 
-  /// The handle of the request accepted next: all others are older.
+  /// The handle of the next accepted request: all others are older.
   Handle next_handle() const noexcept { return {last_handle_ + 1}; }
 
-  /// Completes the requests older than `next`, but none that the sink sends meanwhile.
+  /// Completes the requests older than `next`, excluding any that the sink sends meanwhile.
   template <class Sink>
   void complete_all(Outcome outcome, Sink& sink, Handle next) {
     for (Request& request : requests_) {
@@ -774,7 +773,7 @@ class BasicSession {
     if (request.transmissions == 0 || !policy.responses.are_possible()) return;
     const bool is_answered = outcome == Outcome::answered || outcome == Outcome::failed ||
                              outcome == Outcome::board_error;
-    // Nobody waits for the end of what was only sent, and other requests must not.
+    // The end of a request that was only sent is not awaited, and must not delay others.
     const bool is_one = policy.responses.form_count != 0 || (is_shared && outcome == Outcome::sent);
     const std::uint32_t each = is_one ? 1 : policy.confirmations;
     std::uint32_t expected = each * request.transmissions;
@@ -805,7 +804,7 @@ class BasicSession {
   static constexpr Frame no_frame{};
   /// A board answers a request for live data within this time. Assumption.
   static constexpr Ticks board_time = 10'000;
-  /// A pause is shortened by so much at most.
+  /// The maximum amount by which a pause is shortened.
   static constexpr Ticks most_overdue = 5000;
 
   struct NoStatistics {};

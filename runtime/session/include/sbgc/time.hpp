@@ -60,7 +60,7 @@ constexpr Duration seconds(std::int64_t n) noexcept { return {n * 1'000'000}; }
 
 /// A point in time: microseconds since an arbitrary epoch, the same for all calls of one object.
 struct Instant {
-  std::int64_t us{};  ///< microseconds since a beginning that the owner chooses
+  std::int64_t us{};  ///< since an epoch that the owner chooses, in microseconds
 
   /// Later than any reachable point in time.
   static const Instant never;

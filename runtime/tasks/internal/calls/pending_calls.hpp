@@ -1,5 +1,4 @@
-/// The calls of a conversation that have not ended, and the commands of motion that it may still
-/// send.
+/// The pending calls of a conversation, and the order of its motion commands.
 #pragma once
 
 #include <algorithm>
@@ -25,15 +24,15 @@
 
 namespace sbgc::detail {
 
-/// A stop, and any later motion, supersedes the motion of tasks that began before: these send none
-/// any more. A stop is superseded by a later motion, but not by a later stop.
+/// A stop, and any later motion, supersedes the motion of tasks that began before: these may send
+/// no more motion. A stop is superseded by a later motion, but not by a later stop.
 class MotionOrder {
  public:
-  /// Called when a later task, with this number, supersedes one.
+  /// Called with the number of the later task that supersedes this one.
   using Superseded = std::function<void(TaskNumber by)>;
   using Calls = std::vector<std::function<void()>>;
 
-  /// Numbers a task that begins.
+  /// Assigns a number to a task that begins.
   TaskNumber begin() noexcept { return ++last_; }
 
   /// Called once if the task is superseded, until leave().
@@ -47,8 +46,8 @@ class MotionOrder {
     return task < std::max(last_motion_, last_stop_);
   }
 
-  /// Returns false if the task may not send this command of motion, else notes that it does, and
-  /// appends the calls that tell the tasks which it supersedes.
+  /// Returns false if the task may not send this motion command; otherwise records it, and appends
+  /// the calls that notify the superseded tasks.
   bool admit(TaskNumber task, bool stops, Calls& calls) {
     if (task < last_motion_ || (!stops && task < last_stop_)) return false;
     TaskNumber& last = stops ? last_stop_ : last_motion_;
@@ -82,7 +81,7 @@ using ReplyHandler = std::function<void(Result<Reply>)>;
 /// A call and its deadline.
 struct Call {
   CallId id{};
-  TaskNumber task{};  ///< that makes it; 0: none
+  TaskNumber task{};  ///< the task that makes it; 0: none
   Request request{};
   SendOptions send{};
   Instant deadline = Instant::never;
@@ -103,38 +102,38 @@ CallPointer make_call(CallId id, Request request, const CallOptions& options,
 std::string milliseconds_text(Duration duration);
 /// The error of a call that was not sent because of a stop, or of a later motion.
 ClientError superseded_error(const Call& call);
-/// How a call ends whose deadline has passed: with an error, unless only a confirmation is missing
-/// that the board may leave out.
+/// The result of a call whose deadline has passed: an error, unless only an optional confirmation
+/// is missing.
 Result<Reply> overdue_result(const Call& call);
 
-/// Whoever ends a call takes it out first, so each call ends exactly once. Not thread-safe: the
-/// owner locks it, but not while a handler runs.
+/// A call is removed before it is ended, so each call ends exactly once. Not thread-safe: the owner
+/// locks it, but not while a handler runs.
 class PendingCalls {
  public:
-  /// At most `most_waiting` calls wait for room in the session, besides stops.
+  /// At most `most_waiting` calls wait for room in the session, not counting stops.
   explicit PendingCalls(std::size_t most_waiting) : most_waiting_(most_waiting) {}
 
-  /// The calls that a new one supersedes, taken out, and functions that tell the tasks.
+  /// The removed calls that a new one supersedes, and functions that notify the tasks.
   struct Superseded {
     std::vector<CallPointer> calls{};
     MotionOrder::Calls tasks{};
   };
 
-  /// Adds the call, or returns the reason for rejecting it. In the same
-  /// step, takes out the calls that wait for the session and must not follow it: the thread that
-  /// sends takes a stop first, and must not find older motion behind it.
+  /// Adds the call, or returns the reason for rejecting it. In the same step, removes the calls
+  /// that wait for the session and must not follow it: the sending thread sends a stop first, and
+  /// must not find older motion after it.
   std::optional<ClientError> add(const CallPointer& call, Superseded& superseded);
-  /// Takes a call out; null if it has already ended.
+  /// Removes a call; null if it has already ended.
   CallPointer take(CallId id);
-  /// Takes out a call whose deadline has passed; null if there is none.
+  /// Removes a call whose deadline has passed; null if there is none.
   CallPointer take_overdue(Instant at);
-  /// Takes all calls out and rejects later ones with this error.
+  /// Removes all calls and rejects later ones with this error.
   std::vector<CallPointer> take_all(ClientError refusal);
 
-  /// Returns the next call that waits for the session: a stop, else the oldest for which
+  /// Returns the next call that waits for the session: a stop, or the oldest for which
   /// `has_room(call)`; null if there is none. It stays pending.
   CallPointer next_waiting(const std::function<bool(const Call&)>& has_room);
-  /// The earliest deadline of all calls.
+  /// Returns the earliest deadline of all calls.
   Instant deadline() const;
 
   /// The tasks of the conversation, and which of them may still move the camera.
@@ -161,21 +160,21 @@ class PendingCalls {
   MotionOrder order_;
 };
 
-/// The pending calls of a conversation, which threads may share.
+/// The pending calls of a conversation, which may be shared between threads.
 class SharedCalls : public Guarded<PendingCalls> {
  public:
   explicit SharedCalls(std::size_t most_waiting, LockPointer lock = nullptr)
       : Guarded(std::move(lock), most_waiting) {}
 
-  /// Passes its result to the handler of a call that was taken out, or was never added. Must be
-  /// called without the lock.
+  /// Passes its result to the handler of a call that was removed or never added. Must be called
+  /// without the lock.
   void complete(const Call& call, Result<Reply> result) {
     if (!result) lock()->count_failed();
     call.handler(std::move(result));
   }
 
-  /// Adds a call, ends what it supersedes, and tells the tasks. Returns the reason for rejecting
-  /// it.
+  /// Adds a call, ends the calls that it supersedes, and notifies the tasks. Returns the reason for
+  /// rejecting it.
   std::optional<ClientError> begin(const CallPointer& call) {
     PendingCalls::Superseded superseded;
     auto refusal = lock()->add(call, superseded);

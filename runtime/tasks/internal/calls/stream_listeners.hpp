@@ -1,5 +1,4 @@
-/// What runs as long as it has listeners: data streams and, for firmware without them, requests
-/// that are repeated.
+/// Data streams with listeners, and for firmware without data streams, repeated requests.
 #pragma once
 
 #include <algorithm>
@@ -18,9 +17,9 @@
 
 namespace sbgc::detail {
 
-/// Counts the listeners of each data stream and tracks which streams the board sends. The board
-/// gets the shortest interval that a listener wants; each listener gets every sample that is due at
-/// its own.
+/// Counts the listeners of each data stream and tracks the streams of the board. The board gets the
+/// shortest interval that a listener wants; each listener gets every sample that is due at its own
+/// interval.
 class StreamListeners {
  public:
   /// Identifies a stream by the id of its messages and its configuration.
@@ -51,7 +50,7 @@ class StreamListeners {
  private:
   struct Share {
     Request start{};
-    std::int64_t credit_us{};  // what has passed since its last sample
+    std::int64_t credit_us{};  // the time since its last sample
 
     std::int64_t interval_us() const { return start.policy.stream.interval_us; }
   };
@@ -68,7 +67,7 @@ class StreamListeners {
   std::map<Key, Stream> streams_;
 };
 
-/// A schedule of requests. One is not repeated before it has been answered, so that a slow
+/// A schedule of requests. A request is not repeated before it has been answered, so that a slow
 /// line or board is not flooded.
 class Polls {
  public:
@@ -102,7 +101,7 @@ class Polls {
     }
   }
 
-  /// Returns what is due, which is pending from now on.
+  /// Returns the due requests, which are pending from now on.
   std::vector<Poll> take_due(Instant now) {
     std::vector<Poll> due;
     for (auto& [id, poll] : polls_) {
@@ -117,7 +116,7 @@ class Polls {
     const auto at = polls_.find(id);
     if (at != polls_.end()) at->second.is_pending = false;
   }
-  /// When the next one is due.
+  /// Returns when the next one is due.
   Instant next() const {
     Instant result = Instant::never;
     for (const auto& [id, poll] : polls_) {

@@ -47,10 +47,10 @@ class Delivery {
   }
 
   /// Decodes a message once, if a subscriber or a context needs it; `known` are the facts for an
-  /// answer, if they are not those of the conversation.
+  /// answer, if they differ from those of the conversation.
   void deliver(const Frame& frame, const Contexts* known = nullptr);
   void notify(const Notice& notice);
-  /// Passes on a frame as it is.
+  /// Passes on a raw frame.
   void show(const BoardFrame& frame);
 
   /// Facts from earlier messages that decoding later ones needs.
@@ -59,8 +59,8 @@ class Delivery {
   std::uint64_t unreadable() const noexcept { return unreadable_; }
 
  private:
-  /// Notifies of a message that does not decode, unless the last one was the same to the user: a
-  /// stream of them has one notice.
+  /// Notifies the user of an undecodable message, unless the last one looked the same: a stream of
+  /// them causes one notice.
   void report_unreadable(const Frame& frame, const Status& status, std::size_t subscribers);
 
   using MessageHandlers = Handlers<MessageKey, void(const void*)>;
@@ -75,7 +75,7 @@ class Delivery {
   std::string last_unreadable_;  // its notice
 };
 
-/// The owner feeds bytes and the time, and writes the output. Not thread-safe; only the pending
+/// The owner passes in bytes and the time, and writes the output. Not thread-safe; only the pending
 /// calls are shared with other threads.
 class Dialogue {
  public:
@@ -102,21 +102,21 @@ class Dialogue {
 
  private:
   static constexpr SessionCapacity capacity{.requests = 64, .late_replies = 64, .streams = 10};
-  /// Places of the session that reads and others with an effect can take; the rest is for stops.
+  /// The places of the session for reads and for requests with an effect; the rest is for stops.
   static constexpr std::size_t most_reads = 32;
   static constexpr std::size_t most_effects = capacity.requests - 4;
 
   void send_waiting();
   bool has_room(const Call& call) const noexcept;
-  /// The call of the session's request; null if it is not of a call, or was forgotten.
+  /// Returns the call of the session's request; null if it belongs to no call, or was dropped.
   CallPointer call_of(Handle handle) const;
   void end_overdue(Instant now);
   void handle(const Event& event);
-  /// Passes the frame of an event to those who want frames as they are.
+  /// Passes the frame of an event to subscribers of raw frames.
   void show(const Event& event);
   void handle_completion(const Event& event);
   Result<Reply> result_of(const Call& call, const Event& event) const;
-  /// The facts that decoding a response of a call needs; null if it needs none.
+  /// Returns the facts for decoding a response of a call; null if it needs none.
   std::shared_ptr<const Contexts> known_to(const Call& call, const Frame& frame) const;
   Reply reply_to(const Call& call, ReplyKind kind, const Frame& frame) const;
   ClientError refusal(const Call& call, const SendResult& refused) const;
@@ -128,8 +128,8 @@ class Dialogue {
   bool has_room_ = false;  // a request has left the session
 };
 
-/// Returns the request for the introduction of a board whose port wants this password. Fails if it
-/// cannot be a password. The error does not tell it.
+/// Returns the request for the introduction of a board whose port requires this password. Fails if
+/// the password is invalid. The error does not reveal it.
 Result<msg::BoardInfoRequestExt> opening_request(const std::string& password);
 /// Returns the frame of the first request, which a search for the line sends; empty for the usual
 /// one.

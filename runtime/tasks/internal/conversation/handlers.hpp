@@ -51,7 +51,7 @@ class Handlers : public std::enable_shared_from_this<Handlers<Key, Signature>> {
     return result;
   }
 
-  /// Returns how many handlers have a key for which `holds(key)` is true.
+  /// Returns the number of handlers for whose key `holds(key)` is true.
   template <class Holds>
   std::size_t count(const Holds& holds) {
     const Holding holding(lock_);

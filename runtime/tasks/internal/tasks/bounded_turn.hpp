@@ -1,4 +1,4 @@
-/// Turning in a way that ends by itself when no more commands arrive.
+/// Turning with a bound: the motion ends by itself when no more commands arrive.
 #pragma once
 
 #include <chrono>
@@ -12,7 +12,7 @@
 
 namespace sbgc::detail {
 
-/// The rules of turning by targets: each command leads a short way ahead.
+/// Turning by targets: each command is a target a short way ahead.
 class ShortTargets {
  public:
   using Speed = Axes<msg::ControlSpeed>;
@@ -25,7 +25,7 @@ class ShortTargets {
     Angles angle{};
   };
   /// Returns the command for a camera at these angles. At least one axis must have a speed; axes
-  /// without one stay where they were when they had none for the first time.
+  /// without one stay where they were when they first had none.
   Command next(const Speed& speed, const Angles& measured);
 
  private:
@@ -33,18 +33,18 @@ class ShortTargets {
   Axes<Optional<msg::Angle14>> held_{};
 };
 
-/// Turns the camera as SpeedControlOptions::bound says.
+/// Turns the camera with the bound of SpeedControlOptions::bound.
 class BoundedTurn {
  public:
   BoundedTurn(MotionBound bound, std::chrono::milliseconds lookahead) noexcept
       : bound_(bound), lookahead_(lookahead), targets_(lookahead) {}
 
-  /// Commands a speed, which lasts for the lookahead; fails if it cannot before `not_after`.
+  /// Commands a speed, which lasts for the lookahead; fails if that is not possible by `not_after`.
   Task<Result<void>> turn(Axes<msg::ControlSpeed> speed, Instant not_after = Instant::never);
   /// Stops the camera, unless it `turns_again` meanwhile, and removes the timeout, so that it stays
   /// where it is.
   Task<Result<void>> stop(std::function<bool()> turns_again);
-  /// Removes the timeout, which also ends motion that others command.
+  /// Removes the timeout, which also ends motion commanded by others.
   Task<Result<void>> let_go();
 
  private:

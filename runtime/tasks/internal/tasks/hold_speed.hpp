@@ -19,13 +19,13 @@
 
 namespace sbgc::detail {
 
-/// When to send a speed, and when to stop because the owner is silent.
+/// Decides when to send a speed, and when to stop because the owner is silent.
 class DeadMansSwitch {
  public:
   using State = SpeedControlState;
   using Speed = Axes<msg::ControlSpeed>;
 
-  /// The board takes at most 50 commands per second.
+  /// The board accepts at most 50 commands per second.
   static constexpr Duration fastest = milliseconds(20);
 
   enum class Action : std::uint8_t { none, send, stop };
@@ -55,7 +55,7 @@ class DeadMansSwitch {
     state_ = State::failed;
     must_stop_ = must_stop_ || turned;
   }
-  /// The camera is in other hands: neither turn nor stop it.
+  /// Something else controls the camera: neither turn nor stop it.
   void let_go() noexcept {
     state_ = State::idle;
     must_stop_ = false;
@@ -102,11 +102,11 @@ class DeadMansSwitch {
   Instant stop_due_ = long_ago;
 };
 
-/// The wishes of the owner and their results. With a lock, thread-safe. Wake the task after each
+/// The commands of the owner and their results. With a lock, thread-safe. Wake the task after each
 /// change.
 class HeldSpeed {
  public:
-  /// The order of the client's tasks: a new number, and whether one is superseded.
+  /// The order of the client's tasks: returns a new number, and whether one is superseded.
   struct Order {
     std::function<TaskNumber()> begin{};
     std::function<bool(TaskNumber)> is_superseded{};
@@ -120,12 +120,12 @@ class HeldSpeed {
 
   // For the owner.
 
-  /// Turns with this speed. Fails if sending has failed, if the camera is to stop for ever, and
-  /// once if another task has superseded the motion.
+  /// Turns with this speed. Fails if sending has failed, if the camera must stop forever, and once
+  /// if another task has superseded the motion.
   Result<void> set(const DeadMansSwitch::Speed& speed, Instant now);
   /// Keeps the speed. Fails if the camera does not turn.
   Result<void> refresh(Instant now);
-  /// Stops the camera, until it is to turn again.
+  /// Stops the camera until set() is called again.
   Result<void> stop() {
     const Holding holding(lock_);
     if (error_) return *error_;
@@ -133,7 +133,7 @@ class HeldSpeed {
     rules_.stop();
     return {};
   }
-  /// The error of sending, if it has failed.
+  /// Returns the error of sending, if it has failed.
   Result<void> outcome() const {
     const Holding holding(lock_);
     return error_ ? Result<void>(*error_) : Result<void>();
@@ -147,7 +147,7 @@ class HeldSpeed {
     const Holding holding(lock_);
     return rules_.state();
   }
-  /// Stops the camera for ever, and ends the task.
+  /// Stops the camera forever, and ends the task.
   void close() {
     const Holding holding(lock_);
     rules_.stop();
@@ -165,12 +165,12 @@ class HeldSpeed {
   };
   Next next(Instant now);
   void done(const Next& what, Result<void> result, Instant now);
-  /// True if the camera is to turn.
+  /// True if the camera should turn.
   bool is_turning() const { return state() == DeadMansSwitch::State::turning; }
 
  protected:
   const LockPointer& lock() const noexcept { return lock_; }
-  /// Called, with the lock, when the task has nothing to send.
+  /// Called, with the lock held, when the task has nothing to send.
   virtual void idle() {}
 
  private:
@@ -187,8 +187,8 @@ class HeldSpeed {
   bool is_idle_ = false;
 };
 
-/// Turns with the speeds of the owner until it closes `speed`.
-/// With `yields`, it ends with ErrorCode::interrupted when somebody else has stopped the camera.
+/// Turns with the speeds of the owner until it closes `speed`. With `yields`, it ends with
+/// ErrorCode::interrupted when something else has stopped the camera.
 Task<Result<void>> hold_speed(std::shared_ptr<HeldSpeed> speed, BoundedTurn motion, bool yields);
 
 }  // namespace sbgc::detail

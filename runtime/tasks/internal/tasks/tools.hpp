@@ -35,13 +35,13 @@ constexpr double degrees_between(msg::Angle14 from, msg::Angle14 to) noexcept {
   return msg::Angle14(static_cast<std::int16_t>(raw)).degrees();
 }
 
-/// The deadline of a task, to the millisecond, as the timeouts of its calls.
+/// The deadline of a task, in milliseconds like the timeouts of its calls.
 class Deadline {
  public:
   Deadline(const TaskMachine& task, std::chrono::milliseconds timeout) noexcept
       : task_(task), end_(task.now() + duration_of(timeout)) {}
 
-  /// True if nothing can be done any more.
+  /// True if no time is left.
   bool is_over() const noexcept { return left().count() == 0; }
   Instant end() const noexcept { return end_; }
   /// The remaining time, rounded down, so that a call with this timeout ends in time.

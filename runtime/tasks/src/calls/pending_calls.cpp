@@ -25,7 +25,7 @@ CallPointer make_call(CallId id, Request request, const CallOptions& options,
   Duration allowed = attempt * static_cast<std::int32_t>(attempts);
   if (options.timeout) {
     allowed = milliseconds(options.timeout->count());
-    // In a series, it is the longest silence between two messages.
+    // In a series, this is the longest silence between two messages.
     attempt = policy.series != 0 ? std::min(attempt, allowed) : Duration{allowed.us / attempts};
   } else {
     allowed = std::max(allowed, milliseconds(policy.finish_ms)) +

@@ -54,7 +54,7 @@ Output Dialogue::advance(Instant now, bool can_write) {
     has_room_ = false;
     send_waiting();
     end_overdue(now);
-    // No other write can start while one is pending, so there is nothing to get from the session.
+    // No other write can start while one is pending, so the session is not polled.
     if (!can_write) break;
     output = session_.poll(now, [this](const Event& event) { handle(event); });
   } while (has_room_ && output.bytes.empty());
@@ -136,7 +136,7 @@ void Dialogue::end_overdue(Instant now) {
 void Dialogue::show(const Event& event) {
   const Frame& frame = event.frame;
   if (frame.id == 0) return;
-  // Confirmations and resets have events of their own.
+  // Confirmations and resets have their own events.
   const bool is_repeated = event.kind == EventKind::completed &&
                            (roles::is_confirmation(frame) || roles::is_reset(frame));
   if (is_repeated) return;
@@ -148,7 +148,7 @@ void Dialogue::show(const Event& event) {
 void Dialogue::handle(const Event& event) {
   const Frame& frame = event.frame;
   show(event);
-  // A frame that is no sample of a running stream may have other contents than its samples.
+  // A frame that is not a sample of a running stream may have other contents than its samples.
   const bool is_for_all = event.sample == Sample::none || event.sample == Sample::yes;
   switch (event.kind) {
     case EventKind::completed: {

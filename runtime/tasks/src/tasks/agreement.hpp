@@ -1,4 +1,4 @@
-/// Values that must not be wrong because of an undetected error of the line.
+/// Reading values that must not be wrong because of an undetected line error.
 #pragma once
 
 #include <algorithm>
@@ -14,13 +14,13 @@
 
 namespace sbgc::detail {
 
-/// How many answers may differ before a reading fails.
+/// The maximum number of differing answers before a reading fails.
 inline constexpr std::size_t most_answers = 6;
 
 /// Reads a value with `read()`, which returns a Task<Result<T>>. If the framing of the board's
-/// answers has no better check than sums, reads until two answers agree: damage that passes the
-/// sums is rare, and hardly ever the same twice. `seen` are answers that are known already, and
-/// `what` is the operation, for the error.
+/// answers is only protected by sums, reads until two answers agree: undetected damage is rare, and
+/// hardly ever the same twice. `seen` are answers that are known already, and `what` is the
+/// operation, for the error.
 template <class T, class Read>
 Task<Result<T>> read_until_two_agree(Read read, std::string what, std::vector<T> seen = {}) {
   const TaskMachine& task = co_await tasks::this_task();
@@ -28,7 +28,7 @@ Task<Result<T>> read_until_two_agree(Read read, std::string what, std::vector<T>
   while (true) {
     Result<T> answer = co_await read();
     if (!has_only_sums(task.framing())) co_return answer;
-    // An answer that is not for this request or cannot be read is a damaged one, too.
+    // An answer to another request, or one that cannot be decoded, is damaged, too.
     const bool is_damaged = !answer && (answer.error().code == ErrorCode::mismatch ||
                                         answer.error().code == ErrorCode::bad_response);
     if (!answer && !is_damaged) co_return answer;

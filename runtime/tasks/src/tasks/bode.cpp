@@ -15,9 +15,9 @@
 namespace sbgc::tasks {
 namespace {
 
-/// A recording sends 20 samples at a time, every 16 ms: a line without any for so long has none.
+/// A recording sends 20 samples every 16 ms: if none arrive for this long, none is running.
 constexpr Duration silence = milliseconds(250);
-/// How long the rest of a recording that has ended may take to arrive.
+/// The maximum time in which the rest of a finished recording may arrive.
 constexpr Duration longest_rest = seconds(1);
 
 constexpr Duration length_of(const msg::BodeTestStartStopRequest& request) noexcept {
@@ -29,8 +29,8 @@ constexpr bool is_of_recording(std::uint8_t id) noexcept {
          id == static_cast<std::uint8_t>(msg::BodeTestStartStop::command);
 }
 
-/// Waits until no message of an earlier recording arrives: it could not be told from those of the
-/// next one. `goes_on()` is asked meanwhile.
+/// Waits until no message of an earlier recording arrives: it would be indistinguishable from those
+/// of the next one. `goes_on()` is called meanwhile.
 Task<Result<void>> wait_for_silence(std::function<bool()> goes_on) {
   constexpr Duration step = milliseconds(50);
   TaskMachine& task = co_await this_task();
@@ -54,11 +54,11 @@ Task<Result<void>> wait_for_silence(std::function<bool()> goes_on) {
   co_return Result<void>();
 }
 
-/// The call of a recording, cancelled if the task ends before it.
+/// The call of a recording, canceled if the task ends before it.
 class BodeCall {
  public:
   BodeCall(TaskMachine& task, const msg::BodeTestStartStopRequest& request) : task_(task) {
-    // Twice as long as it takes: what is late by more does not come.
+    // Twice the duration: anything later does not arrive at all.
     CallOptions options;
     options.timeout = detail::whole_milliseconds({2 * length_of(request).us}) + longest_lateness;
     id_ = task.begin(request, options);
@@ -70,7 +70,7 @@ class BodeCall {
   CallId id() const noexcept { return id_; }
   bool has_started() const { return task_.has_started(id_); }
 
-  /// Why there is no recording. A request that is refused has started none, whatever arrives.
+  /// Returns the reason for a failure. A refused request starts no recording, whatever arrives.
   ClientError error(ClientError reason, bool is_refused = false) const {
     return detail::during(has_started() && !is_refused ? "the recording has started, but it failed"
                                                        : "starting the recording",
@@ -84,7 +84,7 @@ class BodeCall {
   CallId id_{};
 };
 
-/// Passes what has arrived to the collector.
+/// Passes received samples to the collector.
 Result<void> take_samples(TaskMachine& task, CallId id, detail::BodeCollector& collector) {
   for (const auto& body : task.take_series(id)) {
     msg::BodeTestData data;

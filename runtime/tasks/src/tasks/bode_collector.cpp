@@ -9,7 +9,7 @@
 namespace sbgc::detail {
 namespace {
 
-/// The counter of samples wraps after so many.
+/// The range of the sample counter, after which it wraps.
 constexpr std::size_t counter_range = 256;
 
 constexpr double lost_sample = std::numeric_limits<double>::quiet_NaN();

@@ -23,21 +23,21 @@ CallOptions short_options() {
   return options;
 }
 
-/// The rate in a request is the board's own, whatever it is.
+/// The rate in a request is the board's own and must not be validated.
 CallOptions own_values() {
   CallOptions options;
   options.validate = false;
   return options;
 }
 
-/// How long the camera may turn without a bound after a restart that nobody has noticed.
+/// The maximum time that the camera may turn without a bound after an unnoticed restart.
 constexpr Duration renewal_interval = seconds(1);
 
 bool is_still(const Axes<msg::ControlSpeed>& speed) noexcept {
   return speed == Axes<msg::ControlSpeed>{};
 }
 
-/// Without a sign; the lowest value has no positive counterpart.
+/// Removes the sign; the lowest value has no positive counterpart.
 msg::ControlSpeed magnitude(msg::ControlSpeed speed) noexcept {
   constexpr int highest = std::numeric_limits<std::int16_t>::max();
   return msg::ControlSpeed(
@@ -59,7 +59,7 @@ ShortTargets::Command ShortTargets::next(const Speed& speed, const Angles& measu
       continue;
     }
     held_[i].reset();
-    // Angles wrap around, as their counts do.
+    // Angles wrap around, like their raw values.
     const double way = speed[i].degrees_per_second() * seconds / msg::Angle14(1).degrees();
     const auto counts = static_cast<std::int32_t>(way < 0 ? std::floor(way) : std::ceil(way));
     command.angle[i] = msg::Angle14(static_cast<std::int16_t>(
@@ -103,7 +103,7 @@ Task<Result<void>> BoundedTurn::begin_timeout(bool is_choice) {
   co_return during("limiting the motion", set.error());
 }
 
-/// A board that restarts without a notice forgets the timeout.
+/// Renews the timeout, which a board loses when it restarts without a notice.
 Task<Result<void>> BoundedTurn::renew_timeout() {
   const TaskMachine& task = co_await tasks::this_task();
   if (task.now() < renewal_) co_return Result<void>();
@@ -112,8 +112,8 @@ Task<Result<void>> BoundedTurn::renew_timeout() {
   options.timeout = lookahead_;
   const Result<void> set = co_await tasks::call(*timeout_, options);
   if (set) co_return set;
-  // The board was silent for so long that it has ended the motion; perhaps it restarts. The camera
-  // must not turn again unasked.
+  // The board was silent for so long that it has ended the motion; it may be restarting. The camera
+  // must not turn again without a command.
   co_return during("limiting the motion", set.error());
 }
 
@@ -150,7 +150,7 @@ Task<Result<void>> BoundedTurn::stop(std::function<bool()> turns_again) {
   options.rest = {};
   Result<void> stopped = co_await tasks::stop(options);
   if (turns_again() || !stopped) co_return stopped;
-  // Before the timeout is over, which is no longer than the rest.
+  // Before the timeout has expired, which is not longer than the rest.
   Result<void> removed = co_await let_go();
   options.rest = StopOptions{}.rest;
   stopped = co_await tasks::stop(options);

@@ -12,13 +12,13 @@ namespace sbgc::detail {
 
 namespace {
 
-/// True if nothing can ever be sent again.
+/// True if nothing can be sent any more.
 bool is_final(ErrorCode code) noexcept {
   return code == ErrorCode::link_lost || code == ErrorCode::not_connected ||
          code == ErrorCode::cancelled;
 }
 
-/// Notices that the board restarts.
+/// Detects restarts of the board.
 class Restarts {
  public:
   explicit Restarts(TaskMachine& task)
@@ -45,12 +45,12 @@ ClientError restart_error() {
   return {ErrorCode::board_reset, "the board has restarted, which ended the motion"};
 }
 
-/// Notices that somebody else has stopped the camera: the axes that are to turn have begun to, and
+/// Detects that something else has stopped the camera: the axes that should turn have begun to, and
 /// two polls show that they no longer do. A command may be lost, so it is repeated until they
 /// begin.
 class Yielding {
  public:
-  /// Reads the angles before a speed is sent once more; fails if it must not be.
+  /// Reads the angles before a speed is repeated; fails if it must not be.
   Task<Result<void>> look(DeadMansSwitch::Speed speed) {
     const TaskMachine& task = co_await tasks::this_task();
     if (!(speed == speed_)) {
@@ -175,18 +175,18 @@ Task<Result<void>> hold_speed(std::shared_ptr<HeldSpeed> speed, BoundedTurn moti
     if (next.action == Action::stop) {
       yielding = Yielding();
       result = co_await motion.stop([&] { return speed->is_turning(); });
-      // A camera that still turns may do so by this motion: it is stopped again, and the control
-      // timeout stays.
+      // A camera that still turns may do so because of this motion: it is stopped again, and the
+      // control timeout stays.
       if (!result && result.error().code == ErrorCode::interrupted) {
         result = ClientError{ErrorCode::timeout, result.error().message};
       }
     } else if (restarts.has_restarted()) {
-      result = restart_error();  // the camera must not turn again unasked
+      result = restart_error();  // the camera must not turn again without a command
     } else if (auto refused = refusals.take()) {
       result = *std::move(refused);  // of the previous command
     } else {
       if (yields) result = co_await yielding.look(next.speed);
-      // A request that is sent later could follow a stop of somebody else.
+      // A request that is sent later could follow a stop from elsewhere.
       const Instant not_after = yields ? task.now() + patience : Instant::never;
       if (result) result = co_await motion.turn(next.speed, not_after);
     }

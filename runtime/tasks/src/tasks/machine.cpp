@@ -27,14 +27,13 @@ TaskStep TaskMachine::step(Instant now) {
 bool TaskMachine::is_ready() {
   cut_short_.reset();
   if (wait_.until <= now_) return true;
-  // Before the cancellation, which would be lost with the reply that the task gets: it ends the
-  // next wait.
+  // Before the cancellation, which would be lost with the reply to the task: it ends the next wait.
   const auto call = calls_.find(wait_.call);
   if (call != calls_.end()) {
     if (call->second.reply) return true;
     if (wait_.start_is_enough && call->second.has_started()) return true;
   }
-  // One at a time: a cancellation that comes with it ends the next wait.
+  // One at a time: a simultaneous cancellation ends the next wait.
   if (std::exchange(is_superseded_, false)) {
     cut_short_ = ErrorCode::superseded;
   } else if (std::exchange(is_cancelled_, false)) {

@@ -1,4 +1,4 @@
-// Tasks with the memory of the board: the EEPROM, in whole pages; files; user data.
+// Tasks for the memory of the board: the EEPROM, in whole pages; files; user data.
 
 #include <algorithm>
 #include <cstddef>
@@ -40,7 +40,7 @@ constexpr std::size_t eeprom_page = detail::field_info<msg::EepromWrite>("addr")
 constexpr std::size_t eeprom_most_read = detail::highest<msg::EepromReadRequest>("size");
 constexpr std::size_t eeprom_most_written = detail::field_info<msg::EepromWrite>("data").max_count;
 
-/// For example "0x1f40".
+/// Returns, for example, "0x1f40".
 std::string hex(std::uint64_t address) { return fmt::format("{:#x}", address); }
 
 /// Checks that the bytes are inside the EEPROM, if its size is known.
@@ -72,7 +72,7 @@ Task<Result<Bytes>> read_pages(detail::PageRun run, const detail::Deadline& dead
   co_return Bytes(answer->data.begin(), answer->data.end());
 }
 
-/// The same, but bytes that an undetected error of the line has changed are not accepted.
+/// The same, but bytes changed by an undetected line error are not accepted.
 Task<Result<Bytes>> read_pages_verified(detail::PageRun run, const detail::Deadline& deadline) {
   const auto read = [&] { return read_pages(run, deadline); };
   co_return co_await detail::read_until_two_agree<Bytes>(

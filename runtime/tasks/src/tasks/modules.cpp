@@ -13,14 +13,14 @@
 namespace sbgc {
 namespace {
 
-/// Bytes of a part, and of what sizes are multiples of.
+/// The size of a part; total sizes are multiples of it.
 constexpr std::size_t flash_part = 128;
 constexpr std::size_t flash_word = 4;
 
-/// How long a confirmation may be late. Before, that of another part could not be told from it.
+/// The maximum delay of a confirmation; until then, confirmations of parts are indistinguishable.
 constexpr Duration flash_lateness = seconds(1);
 
-/// A hint for the user after a loading that did not end.
+/// Returns an error with a hint for the user after an interrupted update.
 ClientError flash_error(std::size_t confirmed_parts, ClientError reason) {
   const std::string last = confirmed_parts == 0
                                ? std::string("no part was confirmed")
@@ -54,7 +54,7 @@ Task<Result<void>> flash_module(msg::ModuleId module, std::vector<std::uint8_t> 
   if (auto problem = module_firmware_problem(firmware.size())) co_return *std::move(problem);
   TaskMachine& task = co_await this_task();
   if (task.line_may_repeat()) {
-    // A confirmation does not name its part: that of an earlier one would let the next part out.
+    // Confirmations do not name their part: a duplicate would release the next part too early.
     co_return ClientError{ErrorCode::unsupported,
                           "no firmware is loaded over a line that may repeat packets"};
   }

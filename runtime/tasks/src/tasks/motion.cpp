@@ -24,14 +24,14 @@ namespace {
 using detail::axis_names;
 using detail::degrees_between;
 
-/// How often a target is repeated while nothing shows that the board has it.
+/// The interval for repeating a target while nothing shows that the board has received it.
 constexpr Duration repetition = milliseconds(100);
-/// A board that answers later was silent.
+/// If an answer takes longer, the board was silent.
 constexpr Duration longest_answer = milliseconds(500);
-/// Target angles that differ by less, in degrees, are the same.
+/// Target angles with a smaller difference, in degrees, are equal.
 constexpr double noise = 0.05;
 
-/// A command that the board need not confirm: whether it did is known later.
+/// A command whose confirmation is optional: whether it arrived is known later.
 class Sending {
  public:
   explicit Sending(TaskMachine& task) : task_(task) {}
@@ -75,8 +75,8 @@ class Move {
   Task<Result<MoveProgress>> run(bool to_the_end) {
     Instant close_since = Instant::never;
     while (true) {
-      // Read the angles first: commands are useless to a silent board, and old firmware needs the
-      // current targets of axes that are left alone.
+      // Read the angles first: commands to a silent board are useless, and old firmware needs the
+      // current targets of the other axes.
       const Result<msg::GetAngles> state =
           co_await tasks::call(msg::GetAnglesRequest{}, options_of_poll());
       if (!state && is_cut_short(state.error())) co_return late(to_the_end);
@@ -121,7 +121,7 @@ class Move {
     options.timeout = std::min(options.timeout.value_or(left), left);
     return options;
   }
-  /// True if a call failed because there was no time left for it.
+  /// True if a call failed because it had no time left.
   bool is_cut_short(const ClientError& error) const {
     return error.code == ErrorCode::timeout && seen_ && deadline_.is_over();
   }
@@ -138,8 +138,8 @@ class Move {
                         "motors on? {}",
                         detail::whole_milliseconds(detail::patience).count(), where())};
   }
-  /// The error of a move that ends because of another: a cancellation, a later command of this
-  /// client, or what failed.
+  /// Returns the error of a move that ends for another reason: a cancellation, a later command of
+  /// this client, or a failure.
   ClientError ended(const ClientError& why, const char* during = nullptr) const {
     if (why.code == ErrorCode::cancelled) {
       return detail::cancelled_error("the move (" + where() + ")");
@@ -152,7 +152,7 @@ class Move {
     if (why.code == ErrorCode::board_error) return why;
     return detail::during(during != nullptr ? during : where(), why);
   }
-  /// The error of a move whose target the board does not have any more.
+  /// Returns the error of a move whose target the board no longer has.
   ClientError interrupted() const {
     std::string text;
     for (std::size_t i = 0; i < axis_names.size(); ++i) {
@@ -166,8 +166,8 @@ class Move {
     return {ErrorCode::interrupted, text};
   }
 
-  /// Judges what the board does with the target since it was sent: whether it has begun, and
-  /// whether the move is over because somebody else has changed the target.
+  /// Evaluates the board's response to the target since it was sent: whether the move has begun,
+  /// and whether it is over because something else has changed the target.
   std::optional<ClientError> follow(const msg::GetAngles& state, Instant now) {
     if (!sent_) {
       before_ = last_ = state;
@@ -194,7 +194,7 @@ class Move {
   }
 
   /// True if the axis has no target, or the board has the one of this move. Boards may count turns
-  /// in another way.
+  /// differently.
   bool is_own(std::size_t axis) const {
     if (!target_[axis]) return true;
     const double off = degrees_between(last_.axes[axis].rc_target_angle, *target_[axis]);
@@ -257,7 +257,7 @@ class Move {
     sending_.send(command);
   }
 
-  /// For example "roll is at 1.50 deg, 3.00 deg from its target, yaw …".
+  /// Returns, for example, "roll is at 1.50 deg, 3.00 deg from its target, yaw …".
   std::string where() const {
     if (!seen_) return "reading the camera angles";
     std::string result;
@@ -300,7 +300,7 @@ Result<void> check(const MoveTarget& target, const MoveOptions& options) {
   return {};
 }
 
-/// For example "yaw at 61.04 deg/s"; "" if no axis turns.
+/// Returns, for example, "yaw at 61.04 deg/s"; "" if no axis turns.
 std::string turning(const msg::GetAngles& state) {
   std::string result;
   for (std::size_t i = 0; i < axis_names.size(); ++i) {
@@ -312,7 +312,7 @@ std::string turning(const msg::GetAngles& state) {
   return result;
 }
 
-/// Ends a move: stops the camera if it failed, unless it is in other hands.
+/// Ends a move: stops the camera on failure, unless something else controls it.
 Task<Result<MoveProgress>> finish(Result<MoveProgress> result, bool was_sent,
                                   bool stop_on_failure) {
   if (result || !was_sent || !stop_on_failure) co_return result;
@@ -359,8 +359,8 @@ Task<Result<void>> stop(StopOptions options) {
   bool was_silent = false;
   bool must_send = !options.reads_first;
   while (true) {
-    // The board need not confirm the command, so a loss may go unnoticed, and somebody else may
-    // turn the camera: repeat it while the camera turns.
+    // The confirmation is optional, so a loss may go unnoticed, and something else may turn the
+    // camera: repeat the command while the camera turns.
     if (must_send && still_since == Instant::never) {
       const Result<void> sent = co_await call(halt, detail::options_within(deadline));
       if (!sent) co_return sent;
@@ -373,7 +373,7 @@ Task<Result<void>> stop(StopOptions options) {
       return detail::during("checking whether the camera has stopped", state.error());
     };
     if (!state && state.error().code != ErrorCode::timeout) co_return unknown();
-    // At the end, an answer has less time than it may take.
+    // At the end, an answer has less time than it may need.
     const bool is_cut = deadline.is_over() && task.now() - asked < repetition;
     const bool is_late = task.now() - asked >= longest_answer;
     was_silent = was_silent || is_late || (!state && !is_cut);
@@ -398,7 +398,7 @@ Task<Result<void>> stop(StopOptions options) {
     if (!deadline.is_over()) continue;
     if (!turns || (!state && !is_cut)) co_return unknown();
     const std::string seen = turned.empty() ? "" : "; at last: " + turned;
-    // The board always answers: if the camera still turns, somebody else turns it.
+    // The board has always answered: if the camera still turns, something else turns it.
     co_return ClientError{was_silent ? ErrorCode::timeout : ErrorCode::interrupted,
                           turns->empty() ? "the camera has not come to rest" + seen
                                          : "the camera still turns: " + *turns};
@@ -423,7 +423,7 @@ Task<Result<msg::ControlConfig>> detail::control_timeout_request(
     co_return ClientError{ErrorCode::invalid,
                           "the timeout of serial control must be 0 to 65535 ms"};
   }
-  // The rate has no value that keeps it: repeat the one of the parameters.
+  // No value leaves the rate unchanged: repeat the one of the parameters.
   msg::ReadParams3Request active;
   active.profile_id = msg::ReadParams3Request::active_profile;
   const std::string what = "reading the expo rate";

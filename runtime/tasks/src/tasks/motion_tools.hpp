@@ -1,4 +1,4 @@
-/// What tasks of motion share: how long they wait for a camera, and the timeout of serial control.
+/// Shared code of motion tasks: timeouts for the camera, and the timeout of serial control.
 #pragma once
 
 #include <chrono>
@@ -10,10 +10,10 @@
 
 namespace sbgc::detail {
 
-/// How long a command of motion is repeated while nothing shows that the board has it. Shorter than
-/// the rest that a stop waits for: a repeated command cannot follow a stop that has succeeded.
+/// A motion command is repeated for this long while nothing shows that the board has received it.
+/// Shorter than the rest after a stop: a repetition cannot follow a successful stop.
 inline constexpr Duration patience = milliseconds(400);
-/// How long a camera must stand still to have stopped.
+/// A camera that stands still for this long has stopped.
 inline constexpr Duration rest = milliseconds(500);
 
 /// Returns the request that sets the timeout and changes as little else as possible; its values

@@ -77,7 +77,7 @@ using detail::ParametersKind;
 
 namespace {
 
-/// The longest time for a write and its confirmation. With less time left, it is not begun:
+/// The longest time for a write and its confirmation. With less time left, it is not started:
 /// "unwritten" is better than "unknown".
 constexpr std::chrono::milliseconds writing_time{250};
 
@@ -88,8 +88,8 @@ struct Step {
   std::vector<std::uint8_t> wanted{};  ///< with the state of the board merged in
 };
 
-/// Returns the paths of the values that are to blame: that of the violation, and of the field that
-/// it must not exceed.
+/// Returns the paths of the responsible values: that of the violation, and of the field that it
+/// must not exceed.
 std::vector<std::string> paths_of(const Violation& violation) {
   std::vector<std::string> paths{to_string(violation.path)};
   if (violation.other == nullptr) return paths;
@@ -149,8 +149,8 @@ class Writing {
     co_return options_.validate ? validate(versions) : Result<void>();
   }
 
-  /// Reads a block of the board. What differs from the expected body is read once more if the line
-  /// may have changed it: it decides what is written and reported.
+  /// Reads a block of the board. If it differs from the expected body and the line may have changed
+  /// it, it is read once more: it determines what is written and reported.
   Task<Result<Parameters>> read(std::size_t index, detail::Body expected) {
     const detail::ParametersKind& kind = *steps_[index].kind;
     const std::uint8_t copy = report_.parameters[index].id.copy;
@@ -263,7 +263,7 @@ class Writing {
     const Result<bool> sent =
         co_await step.kind->write(step.wanted, detail::parameters_options(deadline_));
     is_unconfirmed_ = sent && !*sent;
-    // Whatever the response was: only the values read back are certain.
+    // Regardless of the response: only the values read back are certain.
     if (auto seen = co_await look(index); !seen) {
       block.state = ParametersState::unknown;
       co_return sent ? seen : detail::during("writing " + to_text(block.id), sent.error());

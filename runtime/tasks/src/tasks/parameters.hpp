@@ -15,7 +15,7 @@ CallOptions parameters_options(const Deadline& deadline);
 Task<Result<Parameters>> read_one(const ParametersKind& kind, std::uint8_t copy,
                                   const Deadline& deadline);
 
-/// The same, but a value that an undetected error of the line has changed is not accepted; see
+/// The same, but a value changed by an undetected line error is not accepted; see
 /// read_until_two_agree(). `seen` are answers that are known already.
 Task<Result<Parameters>> read_verified(const ParametersKind& kind, std::uint8_t copy,
                                        const Deadline& deadline, std::vector<Parameters> seen = {});

@@ -28,12 +28,12 @@ namespace {
 constexpr double most_motion = 1;
 /// More than the error of an accelerometer that was never calibrated, in degrees.
 constexpr double most_tilt = 10;
-/// The share of the motor's power that holds the camera, in percent; as for `sbgc doctor`.
+/// The motor power for holding the camera, in percent; the same limit as in `sbgc doctor`.
 constexpr double most_imbalance = 10;
-/// Share of the measured voltage by which a sensor that was never calibrated may be wrong.
+/// The relative error of the measured voltage with an uncalibrated sensor.
 constexpr double most_wrong = 0.25;
 
-/// With one of these, the motors do not turn.
+/// Errors with which the motors do not turn.
 constexpr std::array stopping_errors{
     msg::SystemError::no_sensor, msg::SystemError::low_bat2,       msg::SystemError::protection,
     msg::SystemError::set_power, msg::SystemError::emergency_stop, msg::SystemError::system,
@@ -63,7 +63,7 @@ class ReadinessCheck {
   }
 
  private:
-  /// Asks, and makes the reason of the question a problem if the answer is no.
+  /// Asks; if the answer is no, the reason of the question becomes the problem.
   Task<Result<void>> require_yes(Question question) {
     const std::string reason = question.reason;
     const Result<bool> agreed = co_await tasks::ask(options_.ask, std::move(question));
@@ -86,7 +86,7 @@ class ReadinessCheck {
   }
 
   Task<Result<void>> require_sensor() {
-    // A camera that was just turned on, or let go, comes to rest.
+    // A camera that was just turned on, or released, comes to rest.
     constexpr int attempts = 5;
     Result<SensorMotion> motion = co_await tasks::watch_sensor(options_.of_frame);
     for (int i = 1; i < attempts && motion && !is_at_rest(*motion); ++i) {
@@ -102,7 +102,7 @@ class ReadinessCheck {
       co_return Result<void>();
     }
     if (options_.conditions.still && motion->turning > most_motion) {
-      // Only eyes tell one from the other.
+      // Only a person can see the difference.
       Question question{
           Question::Kind::is_still,
           fmt::format("the {} turns evenly by {:.1f} deg/s, or its gyroscope has this offset", what,
@@ -166,7 +166,7 @@ class ReadinessCheck {
       found_.problem = "the power of all motors is 0; set it with `sbgc params set power=...`";
       co_return Result<void>();
     }
-    // Only motors that hold the camera measure its balance.
+    // The balance can only be measured while the motors hold the camera.
     const bool is_on = data->other_flags.has(msg::OtherFlag::motors_on);
     const TaskMachine& task = co_await tasks::this_task();
     if (!is_on || !is_supported<msg::RealtimeData4Request>(task.identity().versions())) {

@@ -30,7 +30,7 @@ std::string allow_other_firmware(const BoardIdentity& board, const BoardIdentity
                      board.info.frw_extra_id, backup.info.frw_extra_id);
 }
 
-/// Returns why the backup is not what was saved; "" if it is.
+/// Returns the difference between the backup and what was saved; "" if it is complete.
 std::string incomplete(const Backup& backup, bool allow_partial) {
   if (backup.parameters.all().empty()) return "the backup holds no parameters";
   if (backup.missing.empty() || allow_partial) return "";

@@ -38,7 +38,7 @@ Task<Result<void>> for_a_second(std::function<Task<Result<void>>()> take) {
   co_return Result<void>();
 }
 
-/// The mean of acceleration, and how the rates vary.
+/// The mean of the acceleration, and the variation of the rates.
 class MotionSum {
  public:
   void add(const Axes<double>& rate) { rates_.push_back(rate); }
@@ -113,9 +113,9 @@ Task<Result<SensorMotion>> motion_of_frame() {
   co_return sum.motion();
 }
 
-/// For older firmware, which sends only its angles: their changes are rates.
+/// For older firmware, which sends only the angles of the frame: their changes are rates.
 Task<Result<SensorMotion>> motion_of_frame_angles() {
-  // A rate of two neighbors would be mostly the rounding of the angles.
+  // A rate between neighbors would mostly be the rounding of the angles.
   constexpr std::size_t apart = 5;
   const TaskMachine& task = co_await tasks::this_task();
   std::vector<Axes<double>> angles;

@@ -24,7 +24,7 @@ class TuningReports {
   }
 
   const std::optional<msg::AutoPid>& last() const { return last_; }
-  /// Since the last report, or since the beginning.
+  /// Returns the time since the last report, or since the beginning.
   Duration silence() {
     if (std::exchange(is_new_, false)) since_ = task_.now();
     return task_.now() - since_;
@@ -75,7 +75,7 @@ Task<Result<void>> run_tuning(msg::AutoPidRequest request, TuningOptions options
   TuningReports reports(task);
   CallOptions call;
   call.expect_confirmation = true;
-  // Few boards confirm it; the reports show that it runs.
+  // Few boards confirm the request; the reports show that the tuning runs.
   const Result<Reply> started = co_await transact(request, call);
   if (!started) co_return started.error();
   bool has_said_so = false;  // in its live data

@@ -68,7 +68,7 @@ Result<std::int32_t> variable_raw(const VariableInfo& variable, double value,
                                   const Availability& versions) {
   const UnitInfo unit = variable.unit_in(versions);
   const double raw = std::round(unit.raw(value));
-  // Written so that NaN fails as well.
+  // Written such that NaN fails as well.
   if (raw >= variable.range.lowest && raw <= variable.range.highest) {
     return static_cast<std::int32_t>(raw);
   }
@@ -126,8 +126,8 @@ Task<Result<bool>> holds(msg::SetAdjVarsVal wanted) {
   co_return *again == values;
 }
 
-/// Sets variables that fit into one message. If an undetected error of the line may have changed
-/// them on the way, reads them back, and sets them once more if they differ.
+/// Sets variables that fit into one message. If an undetected line error may have changed them on
+/// the way, reads them back, and sets them once more if they differ.
 Task<Result<void>> set_part(msg::SetAdjVarsVal request) {
   const TaskMachine& task = co_await this_task();
   for (unsigned attempts = 2;; --attempts) {

@@ -1,4 +1,4 @@
-/// The frequencies of a vibration, told from their aliases.
+/// The frequencies of a vibration, recovered from their aliases.
 #pragma once
 
 #include <cstddef>
@@ -8,17 +8,17 @@
 
 namespace sbgc::analysis {
 
-/// Assumption: the filter of a gyroscope stops what is faster, in hertz.
+/// Assumption: the gyroscope's filter blocks higher frequencies, in hertz.
 inline constexpr double fastest_vibration = 400;
 
-/// Returns where a frequency appears in samples, `rate` of them per second.
+/// Returns the frequency at which `frequency` appears when sampled `rate` times per second.
 double alias_of(double frequency, double rate);
 
-/// A peak of a spectrum, and what it can be.
+/// A peak of a spectrum, and the frequencies that may have caused it.
 struct Frequency {
   Peak peak{};
   std::vector<double> others{};  ///< higher ones that look the same, ascending
-  /// False if the peak itself is none of the candidates: it is an alias of one of the others.
+  /// False if the peak is only an alias of one of the others.
   bool is_real = true;
 };
 
@@ -26,7 +26,7 @@ struct Frequency {
 std::vector<Frequency> frequencies_of(const Vibration& vibration);
 
 /// The same for a vibration that was sampled at two rates. A frequency that only one of them shows,
-/// although both could, is none; so most aliases have one candidate.
+/// although both could, is discarded; so most aliases have one candidate.
 std::vector<Frequency> frequencies_of(const Vibration& first, const Vibration& second);
 
 }  // namespace sbgc::analysis

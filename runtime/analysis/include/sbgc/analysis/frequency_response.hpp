@@ -16,11 +16,11 @@ struct ResponsePoint {
   std::complex<double> response;  ///< output over input
   double gain = 0;                ///< dB; minus infinity for no output
   double phase = 0;  ///< degrees: -180 to 180 at the first frequency, then without jumps
-  /// The share of the output that follows the input, 0 to 1: without noise and other inputs 1. Only
-  /// of 4 segments or more, because that of fewer says nothing.
+  /// The share of the output that follows the input, 0 to 1; 1 without noise and other inputs. Only
+  /// set for 4 segments or more, because it is meaningless with fewer.
   std::optional<double> coherence;
   /// The uncertainty of the response, as a share of it, from the coherence: 95 % of the responses
-  /// are off by less than twice this, in the real and in the imaginary part each.
+  /// deviate by less than twice this, in the real and in the imaginary part each.
   std::optional<double> deviation;
 };
 
@@ -31,15 +31,15 @@ struct FrequencyResponse {
   std::vector<ResponsePoint> points{};
 };
 
-/// The fewest samples of a segment.
+/// The minimum number of samples in a segment.
 inline constexpr std::size_t shortest_segment = 64;
-/// The fewest segments with a coherence.
+/// The minimum number of segments for a coherence.
 inline constexpr std::size_t least_segments = 4;
 
 /// The response from `from` to `to`, in Hz, of samples that were taken `rate` times per second. A
-/// segment has 1024 samples, or fewer if there are fewer samples. Segments with a sample that is
-/// NaN are left out, and frequencies without any input. With fewer samples than the shortest
-/// segment, there is no response.
+/// segment has 1024 samples, or fewer if there are fewer samples. Segments that contain NaN and
+/// frequencies without any input are left out. With fewer samples than the shortest segment, there
+/// is no response.
 [[nodiscard]] FrequencyResponse frequency_response(std::span<const double> input,
                                                    std::span<const double> output, double rate,
                                                    double from, double to);

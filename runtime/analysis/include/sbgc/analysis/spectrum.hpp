@@ -1,6 +1,6 @@
 /// @file
-/// Spectra of sampled signals by the method of Welch: segments that overlap by half, without their
-/// mean, under a Hann window, averaged.
+/// Spectra of sampled signals by Welch's method: the average over segments that overlap by half,
+/// have their mean removed, and are multiplied by a Hann window.
 #pragma once
 
 #include <complex>
@@ -31,13 +31,13 @@ struct CrossSpectrum {
   std::vector<std::complex<double>> cross{};  ///< Average of conj(input) * output, as a density.
 };
 
-/// The power spectrum of samples, `rate` of them a second, in segments of `length`, an even number.
-/// A sample that is missing is NaN: segments that contain one are left out. Without a complete
+/// The power spectrum of samples taken `rate` times per second, in segments of `length`, an even
+/// number. NaN marks a missing sample: segments that contain one are left out. Without a complete
 /// segment, or with an odd length, the number of segments is 0.
 [[nodiscard]] PowerSpectrum power_spectrum(std::span<const double> samples, double rate,
                                            std::size_t length);
 
-/// As above, for two signals. A segment counts if both of its parts are complete.
+/// The same for two signals. A segment counts if it is complete in both signals.
 [[nodiscard]] CrossSpectrum cross_spectrum(std::span<const double> input,
                                            std::span<const double> output, double rate,
                                            std::size_t length);

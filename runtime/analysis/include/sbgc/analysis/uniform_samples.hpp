@@ -1,4 +1,4 @@
-/// Samples at equal distances in time, some of which may be lost.
+/// Equidistant samples, some of which may be lost.
 #pragma once
 
 #include <cstddef>
@@ -9,13 +9,13 @@
 
 namespace sbgc::analysis {
 
-/// More lost samples than this would change a spectrum; fewer are interpolated.
+/// The largest share of lost samples that is interpolated; more would distort a spectrum.
 inline constexpr double most_lost = 0.01;
 
 /// One value of each axis per sample.
 class UniformSamples {
  public:
-  /// `interval` is the distance of samples in seconds.
+  /// `interval` is the time between two samples, in seconds.
   explicit UniformSamples(double interval) : interval_(interval) {}
 
   /// Adds the sample with this number, counted from any start. Numbers ascend; a sample with a
@@ -31,8 +31,8 @@ class UniformSamples {
   /// The share of samples that are missing between the first and the last.
   double lost_share() const;
   bool is_usable() const { return size() > 1 && lost_share() <= most_lost; }
-  /// The values of an axis; missing ones are interpolated between their neighbors. Nothing unless
-  /// is_usable(): what is missing may be more than the memory holds.
+  /// The values of an axis; missing ones are interpolated between their neighbors. Empty unless
+  /// is_usable(): the missing samples may exceed the memory.
   std::vector<double> axis(std::size_t axis) const;
 
  private:

@@ -35,7 +35,7 @@
 
 namespace sbgc {
 
-/// A board, talked to on an execution context, which must outlive the client and must run for
+/// A connection to a board on an execution context, which must outlive the client and must run for
 /// operations to make progress.
 ///
 /// Each operation calls its completion handler, `void(Result<T>)`, exactly once, through the
@@ -49,7 +49,7 @@ namespace sbgc {
 ///
 /// Destroying the client ends all operations with ErrorCode::cancelled or, if they wait for a
 /// connection, with ErrorCode::not_connected; it waits for a pending open (resolving a host name,
-/// connecting over TCP), which a thread of the client does.
+/// connecting over TCP) on a thread of the client.
 ///
 /// g++ 12 mishandles a co_await expression with a temporary aggregate or lambda: it copies the
 /// bytes of such an object, and destroys both. That does no harm to options of numbers, as in
@@ -79,9 +79,9 @@ class AsyncClient {
   auto async_connect(const std::string& address, const ConnectOptions& options, Token&& token) {
     return begin_connect(address, TransportFactory(), options, token);
   }
-  /// The same, and connects again whenever the connection breaks. The first connection must
-  /// succeed. Subscriptions and streams of an earlier connect end; new ones can begin at once.
-  /// Errors: the same.
+  /// The same, but reconnects whenever the connection breaks. The first connection must succeed.
+  /// Subscriptions and streams of an earlier connect end; new ones can begin at once. Errors: the
+  /// same.
   template <std::same_as<ReconnectOptions> Options, class Token>
   auto async_connect(const std::string& address, const Options& options, Token&& token) {
     return begin_connect(address, TransportFactory(), options, token);

@@ -1,4 +1,4 @@
-/// The former name of an asynchronous client that connects again. Removed with the next release.
+/// The former name of an asynchronous client that reconnects. Removed with the next release.
 #pragma once
 
 #include <string>

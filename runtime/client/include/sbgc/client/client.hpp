@@ -4,7 +4,7 @@
 ///     if (!client) return fail(client.error().message);
 ///     auto angles = client->get_angles();
 ///
-/// or to one whose line may break:
+/// or with automatic reconnection:
 ///
 ///     auto client = sbgc::Client::connect("/dev/ttyUSB0", sbgc::ReconnectOptions{});
 ///
@@ -70,8 +70,8 @@ class Client : public TaskCalls<Client> {
   /// Errors: `invalid`, `not_found` for the port, the host or the board, `io`, `timeout`,
   /// `bad_file` for a capture, `link_lost`, and those of call() for the questions to the board.
   static Result<Client> connect(const std::string& address, const ConnectOptions& options = {});
-  /// The same, and connects again whenever the connection breaks. The first connection must
-  /// succeed. The options have to be named: `{}` means ConnectOptions. Errors: those of connect().
+  /// The same, but reconnects whenever the connection breaks. The first connection must succeed.
+  /// The options have to be named: `{}` means ConnectOptions. Errors: those of connect().
   template <std::same_as<ReconnectOptions> Options>
   static Result<Client> connect(const std::string& address, const Options& options) {
     return keep_connected(address, options);
@@ -136,13 +136,13 @@ class Client : public TaskCalls<Client> {
         [&](const detail::Conversation&) { return detail::Conversation::prepare(request); },
         options);
   }
-  /// Sends a request that is encoded already, without waiting, also not for a connection. `handler`
-  /// is called exactly once: on the client's thread, or, if the request cannot be sent, at once.
-  /// Errors, of the handler: those of transact().
+  /// Sends an encoded request without waiting, not even for a connection. `handler` is called
+  /// exactly once: on the client's thread, or at once if the request cannot be sent. Errors, of the
+  /// handler: those of transact().
   void start_raw(RawRequest request, const CallOptions& options,
                  std::function<void(const Result<Reply>&)> handler);
 
-  /// Calls `handler` with every frame that the board sends, also with those of unknown messages.
+  /// Calls `handler` with every frame that the board sends, including unknown messages.
   Subscription on_frame(std::function<void(const BoardFrame&)> handler) {
     return link_->on_frame(std::move(handler));
   }
@@ -150,10 +150,10 @@ class Client : public TaskCalls<Client> {
   /// Makes the board send M every `interval` as long as the subscription lives. The shortest
   /// interval is 1 ms. Fails with ErrorCode::invalid if the interval is 0 or longer than a request
   /// can express (about a minute), and with ErrorCode::overload if the line cannot carry the data.
-  /// Firmware without data streams is asked for M each time, if a request without content does it,
+  /// Firmware without data streams is polled for M instead, if a request without content does it,
   /// at most as often as it answers; NoticeKind::polling reports that. A stream that the board
-  /// refuses when it is started again is reported as a notice, NoticeKind::stream_ended, and tried
-  /// again with the next connection. Errors: those of call().
+  /// refuses to restart is reported as a notice, NoticeKind::stream_ended, and tried again with the
+  /// next connection. Errors: those of call().
   template <Message M, class Request = roles::StreamRequest>
   Result<Subscription> stream(std::chrono::milliseconds interval,
                               std::function<void(const M&)> handler,
@@ -184,9 +184,9 @@ class Client : public TaskCalls<Client> {
         options);
   }
 
-  /// Makes the board send a data stream of any message, also of one that is not known here:
-  /// `request` has its id, the interval and the configuration. `handler` gets the bytes of each
-  /// frame with this id, valid during the call. Errors: those of stream().
+  /// Makes the board send a data stream of any message, including unknown ones: `request` has its
+  /// id, the interval and the configuration. `handler` gets the bytes of each frame with this id,
+  /// valid during the call. Errors: those of stream().
   Result<Subscription> stream_raw(const roles::StreamRequest& request,
                                   std::function<void(const Frame&)> handler,
                                   const CallOptions& options = {}) {

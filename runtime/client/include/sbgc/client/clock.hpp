@@ -10,7 +10,7 @@ namespace sbgc {
 /// A steady clock to wait on.
 class Clock {
  public:
-  /// A time of the clock, which never goes back.
+  /// A point in time of the clock, which never goes back.
   using TimePoint = std::chrono::steady_clock::time_point;
 
   Clock() = default;
@@ -22,7 +22,7 @@ class Clock {
 
   /// Returns the present time.
   virtual TimePoint now() = 0;
-  /// Waits until then.
+  /// Waits until `until`.
   virtual void sleep_until(TimePoint until) = 0;
   /// Returns when `changed` is notified, at `until`, or spuriously.
   virtual void wait_until(std::unique_lock<std::mutex>& lock, std::condition_variable& changed,

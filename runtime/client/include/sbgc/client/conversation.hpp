@@ -58,7 +58,7 @@ class Conversation {
     return detail::stream_refusal(type, versions());
   }
 
-  /// Prepares a request that is sent as it is.
+  /// Prepares a request that is sent unchanged.
   static Request prepare(RawRequest request);
 
   /// Starts a call, or fails with the error of `request`. The handler may run before start()
@@ -73,7 +73,7 @@ class Conversation {
   Subscription on_notice(std::function<void(const Notice&)> handler) const;
   Subscription on_frame(std::function<void(const BoardFrame&)> handler) const;
 
-  /// Instead of a stream: the first request is repeated.
+  /// Polling instead of a stream: the first request is repeated.
   struct Polling {
     std::chrono::microseconds interval{};
     std::string reason{};  ///< a clause

@@ -27,9 +27,9 @@ namespace detail {
 Result<Client> keep_connected_over(const TransportFactory& make, const ReconnectOptions& options);
 }
 
-/// The same, and connects again over another transport whenever the connection breaks. `make` is
-/// called for each attempt, on a thread of the client, and may return null if there is no transport
-/// now. Errors: those of Client::connect().
+/// The same, but reconnects over another transport whenever the connection breaks. `make` is called
+/// for each attempt, on a thread of the client, and may return null if no transport is available.
+/// Errors: those of Client::connect().
 template <std::same_as<ReconnectOptions> Options>
 Result<Client> connect_over(const TransportFactory& make, const Options& options) {
   return detail::keep_connected_over(make, options);

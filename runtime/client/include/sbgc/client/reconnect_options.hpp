@@ -1,4 +1,4 @@
-/// Options and state changes of a client that connects again.
+/// Options and state changes of a client that reconnects.
 #pragma once
 
 #include <chrono>
@@ -25,32 +25,32 @@ enum class OutagePolicy : std::uint8_t {
   wait,  ///< it waits for a connection, up to its timeout or ConnectOptions::queue_timeout
 };
 
-/// Options of Client::connect(), for a client that connects again.
+/// Options of Client::connect(), for a client that reconnects.
 struct ReconnectOptions {
   /// For each connection. The timeout is that of each attempt; a capture gets a new session for
   /// each connection.
   ConnectOptions connection{};
   /// The pause before the second attempt; it doubles from one attempt to the next.
   std::chrono::milliseconds first_pause{250};
-  /// The limit of that.
+  /// The upper limit of the pause.
   std::chrono::milliseconds longest_pause{4'000};
-  /// How many attempts may fail in one outage; 0 means any number.
+  /// The number of attempts that may fail in one outage; 0 means any number.
   unsigned attempts = 0;
-  /// What to do if the line leads to another board.
+  /// The action if the line leads to another board.
   OtherBoard other_board = OtherBoard::refuse;
-  /// What calls do during an outage.
+  /// The behavior of calls during an outage.
   OutagePolicy calls = OutagePolicy::fail;
-  /// A board is asked for a sign of life if a data stream is silent for this long and for three of
-  /// its intervals. Without one, the connection counts as lost; else the stream is started again. 0
-  /// means never.
+  /// If a data stream is silent for this long and for three of its intervals, the client checks
+  /// that the board is alive. If it is not, the connection counts as lost; otherwise the stream is
+  /// restarted. 0 means never.
   std::chrono::milliseconds longest_silence{3'000};
-  /// Lists the ports in which a re-plugged adapter is searched.
+  /// Lists the ports in which a re-plugged adapter is searched for.
   std::function<io::PortList()> list_ports = io::list_ports;
-  /// For the pauses. Must outlive the client.
+  /// The clock for the pauses. Must outlive the client.
   Clock* clock = &Clock::system();
 };
 
-/// The state of a connection that is made again when it breaks.
+/// The state of a connection that is restored when it breaks.
 enum class LinkState : std::uint8_t {
   connected,    ///< the board has answered
   lost,         ///< the line broke, or the board is silent or restarting

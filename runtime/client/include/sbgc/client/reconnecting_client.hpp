@@ -1,4 +1,4 @@
-/// The former name of a client that connects again. Removed with the next release.
+/// The former name of a client that reconnects. Removed with the next release.
 #pragma once
 
 #include <string>

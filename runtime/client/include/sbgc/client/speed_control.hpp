@@ -23,21 +23,21 @@ class Connection;
 
 /// Options of SpeedControl.
 struct SpeedControlOptions {
-  /// How long the owner may be silent before the camera is stopped.
+  /// The camera is stopped after the owner has been silent for this long.
   std::chrono::milliseconds silence{500};
-  /// How often the speed is repeated, as a command may be lost. At least 20 ms, which the board
-  /// requires.
+  /// The interval at which the speed is repeated, as a command may be lost. At least 20 ms, which
+  /// the board requires.
   std::chrono::milliseconds repeat{100};
-  /// For `silence` and `repeat`. Must outlive the control.
+  /// The clock for `silence` and `repeat`. Must outlive the control.
   Clock& clock = Clock::system();
-  /// What ends the motion if this program dies.
+  /// The way in which the motion ends if this program dies.
   MotionBound bound = MotionBound::automatic;
-  /// How long the camera may turn without a command, except with MotionBound::none. Several times
-  /// `repeat`, so that a lost command does not matter; at most a minute.
+  /// The time that the camera may turn without a command, except with MotionBound::none. Several
+  /// times `repeat`, so that a lost command does not matter; at most a minute.
   std::chrono::milliseconds lookahead{500};
-  /// Read the speeds before a speed is repeated, and fail with ErrorCode::interrupted when somebody
-  /// else has stopped the camera, or with ErrorCode::timeout when it does not begin to turn. For
-  /// speeds that seldom change; without it, a stop of another program is undone within `repeat`.
+  /// Read the speeds before a speed is repeated, and fail with ErrorCode::interrupted if another
+  /// program has stopped the camera, or with ErrorCode::timeout if it does not begin to turn. For
+  /// speeds that seldom change; without it, another program's stop is undone within `repeat`.
   bool ends_when_stopped = false;
 };
 
@@ -85,24 +85,24 @@ class SpeedControl {
 
   /// Turns with these speeds from now on, also after silence. Axes with speed 0 hold still. If a
   /// later command of this client has stopped or moved the camera since the last call, fails once
-  /// with ErrorCode::superseded and sends nothing. Errors, also of what was sent since: those of
-  /// Client::call(); `interrupted` with SpeedControlOptions::ends_when_stopped.
+  /// with ErrorCode::superseded and sends nothing. Errors, including those of sending since then:
+  /// those of Client::call(); `interrupted` with SpeedControlOptions::ends_when_stopped.
   Result<void> set(const Axes<msg::ControlSpeed>& speed);
   /// Keeps the current speeds. Fails with ErrorCode::cancelled if there are none. Errors: those of
   /// set().
   Result<void> refresh();
-  /// Stops the camera. Use wait() to wait until it has stopped. Errors: those of what was sent
-  /// since the last call.
+  /// Stops the camera. Use wait() to wait until it has stopped. Errors: those of sending since the
+  /// last call.
   Result<void> stop();
   /// Stops the camera for good, without waiting. `done` is called once, on a thread of the client,
-  /// when the camera has stopped, or with what prevented that. Errors: those of stop().
+  /// when the camera has stopped, or with the error that prevented it. Errors: those of stop().
   void close(std::function<void(const Result<void>&)> done);
   /// Waits until nothing remains to be sent immediately. Errors: those of set().
   Result<void> wait();
   /// True if wait() would return at once. After stop(), the camera has then stopped.
   [[nodiscard]] bool has_settled() const;
 
-  /// Returns what the camera is told to do at present.
+  /// Returns the current state.
   [[nodiscard]] State state() const;
 
  private:

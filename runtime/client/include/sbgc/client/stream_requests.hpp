@@ -16,12 +16,12 @@ std::span<const MessageType* const> stream_types();
 
 namespace detail {
 
-/// The data stream of messages of this type that `request` starts, or its error. Where the firmware
-/// has no streams, the message is polled if a request without content asks for it.
+/// The data stream of messages of this type that `request` starts, or its error. If the firmware
+/// has no streams, the message is polled, provided that a request without content asks for it.
 Link::Stream stream_of(const MessageType& type, const Result<roles::StreamRequest>& request,
                        Link::MessageHandler handler, const CallOptions& options);
 
-/// The bytes of the data stream that `request` selects.
+/// The raw data stream that `request` selects.
 Link::Stream raw_stream_of(const roles::StreamRequest& request,
                            std::function<void(const Frame&)> handler, const CallOptions& options);
 

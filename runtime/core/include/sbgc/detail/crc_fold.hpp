@@ -1,4 +1,4 @@
-/// Cyclic redundancy checks by multiplication without carry, which x86 processors have had as an
+/// Cyclic redundancy checks by carry-less multiplication, which x86 processors have had as an
 /// instruction since about 2010: blocks of 16 bytes are folded into one with the same remainder,
 /// and Barrett reduction computes that.
 #pragma once
@@ -41,14 +41,14 @@ inline constexpr auto factor_over =
     // NOLINTNEXTLINE(bugprone-misplaced-widening-cast): both types have 64 bits
     static_cast<long long>(std::uint64_t{power_of_x(distance - 1, polynomial)} << 48);
 
-/// A table of shuffles: the 16 bytes at offset n move the last n bytes of the result to the first n
-/// places of the source, and at offset 16 + n the other way; other bytes become 0.
+/// A table of shuffles: the 16 bytes at offset n move the first n bytes to the last n places; those
+/// at offset 16 + n move the last 16 - n bytes to the first places. Other bytes become 0.
 inline constexpr std::uint8_t shift_bytes[48] = {
     128, 128, 128, 128, 128, 128, 128, 128, 128, 128, 128, 128, 128, 128, 128, 128,
     0,   1,   2,   3,   4,   5,   6,   7,   8,   9,   10,  11,  12,  13,  14,  15,
     128, 128, 128, 128, 128, 128, 128, 128, 128, 128, 128, 128, 128, 128, 128, 128};
 
-/// Returns a block with the same remainder as `block` has `distance` bits further up.
+/// Returns a block with the same remainder as `block` moved up by `distance` bits.
 template <std::uint16_t polynomial, unsigned distance>
 SBGC_CARRYLESS_MULTIPLICATION SBGC_ALWAYS_INLINE inline Words2 folded(Words2 block) noexcept {
   constexpr Words2 by = {factor_over<polynomial, distance + 64>, factor_over<polynomial, distance>};
@@ -90,7 +90,7 @@ SBGC_CARRYLESS_MULTIPLICATION inline std::uint16_t crc_by_folding(std::uint16_t 
   odd ^= load(bytes + rest);
   const std::uint8_t* const end = bytes + size;
   bytes += rest + 16;
-  // Two blocks at a time: a multiplication need not wait for the one before.
+  // Two blocks at a time: the multiplications are independent.
   for (; end - bytes >= 32; bytes += 32) {
     even = folded<polynomial, 256>(even) ^ load(bytes);
     odd = folded<polynomial, 256>(odd) ^ load(bytes + 16);

@@ -16,8 +16,8 @@ constexpr double power(double base, std::int64_t exponent) noexcept {
   return result;
 }
 
-/// Returns the exponent of 16 bits or less whose power of `base` (above 1) is nearest to a value;
-/// one beyond them if there is none. No quantity grows beyond 1e9.
+/// Returns the exponent of 16 bits or less whose power of `base` (above 1) is nearest to a value,
+/// or one out of this range if there is none. No quantity grows beyond 1e9.
 constexpr std::int64_t nearest_exponent(double base, double value) noexcept {
   constexpr std::int64_t beyond = 0x10000;
   if (!(value > 1e-100)) return -beyond;

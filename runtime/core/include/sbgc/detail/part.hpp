@@ -1,11 +1,11 @@
-/// Numbers in some bits of an integer, with or without a sign.
+/// Numbers packed into some bits of an integer, with or without a sign.
 #pragma once
 
 #include <cstdint>
 
 namespace sbgc::detail {
 
-/// The place of the number. `sign` is a bit that makes it negative, or 0.
+/// The position of the number. `sign` is a bit that makes it negative, or 0.
 struct PartBits {
   std::uint64_t mask{};
   unsigned shift{};

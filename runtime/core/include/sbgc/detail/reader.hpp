@@ -49,12 +49,12 @@ class Reader {
     value(out.emplace(), field);
     if (!status_) out.reset();
   }
-  /// As above, but the body may end before the value.
+  /// The same, but the body may end before the value.
   template <class T>
   constexpr void when_or_missing(bool condition, Optional<T>& out, const char* field) noexcept {
     when(condition && body_.size() - at_ >= wire_size<T>, out, field);
   }
-  /// Reads a value before which the body of older firmware ends.
+  /// Reads a value that bodies of older firmware lack.
   template <class T>
   constexpr void appended(Optional<T>& out, const char* field) noexcept {
     when(at_ < body_.size(), out, field);
@@ -64,7 +64,7 @@ class Reader {
   constexpr void if_fits(Optional<T>& out, const char* field) noexcept {
     when(takes_fitting_, out, field);
   }
-  /// Reads a text that is present only if it is evident, and all that is left of the body.
+  /// Reads a text that is present only if that is evident and it fills the rest of the body.
   template <std::size_t n>
   constexpr void if_fits(Optional<BoundedText<n>>& out, const char* field) noexcept {
     const std::size_t left = body_.size() - at_;
@@ -77,7 +77,7 @@ class Reader {
     when(condition, out, field);
   }
 
-  /// As above, for a value that the caller reads if the result is true.
+  /// The same for a value that the caller reads if the result is true.
   template <class T>
   constexpr bool present(bool condition, Optional<T>& out, const char* /*field*/) noexcept {
     out.reset();
@@ -108,13 +108,13 @@ class Reader {
     if (!status_) out.clear();
   }
 
-  /// Reads a list of which another member says how many elements it has.
+  /// Reads a list whose element count is in another member.
   template <class T, std::size_t n>
   constexpr void counted_by(BoundedArray<T, n>& out, std::size_t count,
                             const char* field) noexcept {
     counted(out, count, field);
   }
-  /// As count() and counted(), for a counter that does not hold the number of elements.
+  /// Like count() and counted(), for a counter that does not hold the number of elements.
   template <Counting, class T, class List>
   constexpr void count_as(T& out, const List& list, const char* field) noexcept {
     count(out, list, field);
@@ -202,8 +202,8 @@ class Reader {
     }
   }
 
-  /// Returns the size of the elements that the rest of the body consists of. At most one of several
-  /// sizes fits, as lint assures.
+  /// Returns the size of the elements that fill the rest of the body. At most one of several sizes
+  /// fits, as lint ensures.
   template <class T>
   constexpr std::size_t element_size() const noexcept {
     if constexpr (GrownElement<T>) {
@@ -216,7 +216,7 @@ class Reader {
     }
   }
 
-  /// Reads elements that share the rest of the body, and have the size of some firmware.
+  /// Reads elements that fill the rest of the body, and whose size depends on the firmware.
   template <class T, std::size_t n>
   constexpr void grown(BoundedArray<T, n>& out, const char* field) noexcept {
     if (out.empty()) return;

@@ -1,4 +1,4 @@
-/// Iterates over the members of a message, and knows the adjustable variables.
+/// Iterates over the members of a message, and resolves adjustable variables.
 #pragma once
 
 #include <cstddef>
@@ -9,9 +9,9 @@
 
 namespace sbgc::detail {
 
-/// Walks the members of one struct, compiled for each of them. The value of an adjustable variable
+/// Walks the members of one struct; compiled for each struct. The value of an adjustable variable
 /// goes to the handler `variable(value, info, field)`. Not a lambda: that would be a distinct type
-/// for each.
+/// for each struct.
 template <class Visitor>
 struct MemberWalk {
   Visitor& visitor;

@@ -46,7 +46,7 @@ class Writer {
     if (status_ && in.has_value() != condition) return fail(Code::presence_mismatch, field);
     if (in) value(*in, field);
   }
-  /// As above, but the body may end before the value.
+  /// The same, but the body may end before the value.
   template <class T>
   constexpr void when_or_missing(bool condition, const Optional<T>& in,
                                  const char* field) noexcept {
@@ -56,7 +56,7 @@ class Writer {
       miss(wire_size<T>, field);
     }
   }
-  /// Writes a value before which the body may end. Nothing can follow one that is missing.
+  /// Writes a value before which the body may end. Nothing can follow a missing value.
   template <class T>
   constexpr void appended(const Optional<T>& in, const char* field) noexcept {
     if (in) {
@@ -70,7 +70,7 @@ class Writer {
   constexpr void if_fits(const Optional<T>& in, const char* field) noexcept {
     when_context(true, in, field);
   }
-  /// Writes a text that may be absent. A reader takes it for one only if it is evident, and nothing
+  /// Writes a text that may be absent. A reader recognizes it only if it is evident, and nothing
   /// follows.
   template <std::size_t n>
   constexpr void if_fits(const Optional<BoundedText<n>>& in, const char* field) noexcept {
@@ -88,7 +88,7 @@ class Writer {
     if (in) value(*in, field);
   }
 
-  /// As when(), for a value that the caller writes if the result is true.
+  /// Like when(), for a value that the caller writes if the result is true.
   template <class T>
   constexpr bool present(bool condition, const Optional<T>& in, const char* field) noexcept {
     if (status_ && in.has_value() != condition) fail(Code::presence_mismatch, field);
@@ -121,14 +121,14 @@ class Writer {
     }
   }
 
-  /// Writes a list of which another member says how many elements it has.
+  /// Writes a list whose element count is in another member.
   template <class T, std::size_t n>
   constexpr void counted_by(const BoundedArray<T, n>& in, std::size_t count,
                             const char* field) noexcept {
     if (status_ && in.size() != count) return fail(Code::count_mismatch, field);
     rest(in, field);
   }
-  /// As count() and counted(), for a counter that does not hold the number of elements.
+  /// Like count() and counted(), for a counter that does not hold the number of elements.
   template <Counting counting, class T, class List>
   constexpr void count_as(T /*unused*/, const List& list, const char* field) noexcept {
     if (counting == Counting::minus_1 && status_ && list.empty()) {
@@ -198,7 +198,7 @@ class Writer {
       at_ = end.size;
     }
   }
-  /// Notes that a value is missing, which `size` following bytes would be mistaken for.
+  /// Records a missing value, for which `size` following bytes would be mistaken.
   constexpr void miss(std::size_t size, const char* field) noexcept {
     if (at_ + size >= missing_end_) return;
     missing_at_ = at_;

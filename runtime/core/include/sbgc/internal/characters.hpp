@@ -1,4 +1,4 @@
-/// Characters of UTF-8, and those that do not belong on a terminal.
+/// UTF-8 characters, and detection of those that are unsafe on a terminal.
 #pragma once
 
 #include <cstddef>
@@ -42,9 +42,9 @@ constexpr char32_t code_point(std::string_view sequence) noexcept {
   return code;
 }
 
-/// True for a character that a terminal obeys instead of showing it: ASCII and C1 controls, what
-/// changes the direction of text, and the separators of lines and paragraphs; and for U+FFFE and
-/// U+FFFF, which are no characters and not allowed in XML.
+/// True for a character that a terminal interprets instead of showing it: ASCII and C1 controls,
+/// characters that change the direction of text, and line and paragraph separators; and for U+FFFE
+/// and U+FFFF, which are noncharacters and not allowed in XML.
 constexpr bool is_control(char32_t c) noexcept {
   const auto is_in = [&](char32_t first, char32_t last) { return c >= first && c <= last; };
   return c < 0x20 || is_in(0x7F, 0x9F) || c == 0x061C || is_in(0x200E, 0x200F) ||
@@ -58,7 +58,7 @@ inline std::string escaped(char32_t c) {
   return result;
 }
 
-/// Calls `use(sequence, is_utf8)` for each character, and for each byte that belongs to none.
+/// Calls `use(sequence, is_utf8)` for each character, and for each byte of invalid UTF-8.
 template <class Use>
 constexpr void for_each_sequence(std::string_view text, Use&& use) {
   while (!text.empty()) {
@@ -69,7 +69,7 @@ constexpr void for_each_sequence(std::string_view text, Use&& use) {
   }
 }
 
-/// Returns the text with '?' for each character that does not belong on a terminal, except those of
+/// Returns the text with '?' for each character that is unsafe on a terminal, except those in
 /// `kept`, and for each byte that is not UTF-8.
 inline std::string without_controls(std::string_view text, std::string_view kept = {}) {
   std::string result;

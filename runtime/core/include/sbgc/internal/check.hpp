@@ -12,9 +12,9 @@
 
 namespace sbgc::detail {
 
-/// Only whether there are violations; violations.hpp reports them. Everything is inlined into
-/// Meta<T>::visit(), where the facts of each field are constants: what remains is a few comparisons
-/// of integers, without branches, which would outnumber them.
+/// Detects only whether there are violations; violations.hpp reports them. Everything is inlined
+/// into Meta<T>::visit(), where the facts of each field are constants: only a few integer
+/// comparisons remain, without the branches that would outnumber them.
 class Check {
  public:
   explicit constexpr Check(const Availability& versions) noexcept : versions_(versions) {}
@@ -76,7 +76,7 @@ class Check {
   template <class T>
   SBGC_ALWAYS_INLINE constexpr void optional(const T& optional, const FieldInfo& field) {
     if (!optional) return;
-    // Its presence alone changes the body, whatever the value.
+    // Its mere presence changes the body, whatever the value.
     exists(field.since, false);
     if (is_available(field.since, versions_)) walk(*optional, field, *this);
   }
@@ -126,7 +126,7 @@ class Check {
   SBGC_ALWAYS_INLINE constexpr void in_range(Raw raw, const Range& range, const FieldInfo& field) {
     const bool is_low = is_below(raw, range);
     const bool is_high = is_above(raw, range);
-    // In one condition, which compilers make one comparison.
+    // A single condition, which compilers turn into one comparison.
     bool is_outside = is_low | is_high;
     if (!field.special.empty() && is_outside) is_outside = !is_special(raw, field);
     require(!is_outside);
@@ -152,8 +152,8 @@ class Check {
     return result;
   }
 
-  // Integers are compared with the smallest and the largest integer in the range. Written so that
-  // NaN is below.
+  // Integers are compared with the smallest and the largest integer in the range. Written such that
+  // NaN counts as below.
   template <class Raw>
   SBGC_ALWAYS_INLINE static constexpr bool is_below(Raw raw, const Range& range) noexcept {
     if constexpr (std::is_integral_v<Raw> && sizeof(Raw) <= 4) {
@@ -174,7 +174,7 @@ class Check {
       return static_cast<double>(raw) > range.highest;
     }
   }
-  /// Returns the largest integer that is not above `number`.
+  /// Returns the largest integer that does not exceed `number`.
   SBGC_ALWAYS_INLINE static constexpr std::int64_t whole(double number) noexcept {
     const auto integer = static_cast<std::int64_t>(number);
     return static_cast<double>(integer) > number ? integer - 1 : integer;

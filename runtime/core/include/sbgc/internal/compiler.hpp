@@ -1,10 +1,10 @@
-/// Everything that is peculiar to compilers and processors; the other headers are standard C++20.
-/// The compilers are g++ and clang++, on any processor and system. MSVC is not supported.
+/// Everything specific to compilers and processors; the other headers are standard C++20. The
+/// supported compilers are g++ and clang++, on any processor and system; MSVC is not.
 #pragma once
 
 #if __cplusplus < 202002L
 #error "sbgc needs C++20: compile with -std=c++20, in CMake with CMAKE_CXX_STANDARD 20"
-// A missing file ends the compilation: more errors would only confuse.
+// The missing file ends the compilation: further errors would only confuse.
 #include <the_compiler_stops_here>
 #endif
 
@@ -16,7 +16,7 @@
 #error "sbgc needs g++ 11, clang++ 14 or a later version of them"
 #endif
 
-/// For functions that are slow, or large, if the compiler decides by itself.
+/// For functions that are slow or large if the compiler decides about inlining.
 #define SBGC_ALWAYS_INLINE [[gnu::always_inline]]
 #define SBGC_NOINLINE [[gnu::noinline]]
 /// For objects that only their constructors use.
@@ -52,7 +52,7 @@ SBGC_ALWAYS_INLINE constexpr bool is_constant_evaluated() noexcept {
 #endif
 }
 
-/// Ends the program. A constant expression that gets here does not compile.
+/// Ends the program. A constant expression that reaches it does not compile.
 [[noreturn]] SBGC_ALWAYS_INLINE inline void trap() noexcept { __builtin_trap(); }
 
 // Each stores the result, and returns true if it does not fit.
@@ -76,8 +76,8 @@ SBGC_ALWAYS_INLINE constexpr bool multiply_overflows(T a, T b, T& product) noexc
 
 namespace sbgc::detail {
 
-/// True on processors of 32 bits, most of which are microcontrollers: small code counts more there
-/// than the stalls that a large processor has when it reads bytes just written.
+/// True on 32-bit processors, most of which are microcontrollers: there, small code matters more
+/// than the stalls of a large processor that reads bytes just written.
 inline constexpr bool prefers_small_code = sizeof(void*) < 8;
 
 }  // namespace sbgc::detail
@@ -89,9 +89,9 @@ inline constexpr bool prefers_small_code = sizeof(void*) < 8;
 #define SBGC_HAS_SSE2 0
 #endif
 
-/// 1 if the compiler knows the multiplication without carry of x86 processors;
-/// has_carryless_multiplication() tells if the processor does. Freestanding programs have no
-/// library that knows; they use it if the compiler may.
+/// 1 if the compiler supports the carry-less multiplication of x86 processors;
+/// has_carryless_multiplication() tells whether the processor does. Freestanding programs have no
+/// library to detect it; they use it if the compiler may.
 #if SBGC_HAS_SSE2 && defined(__x86_64__) && \
     ((defined(__PCLMUL__) && defined(__SSSE3__)) || __STDC_HOSTED__)
 #define SBGC_HAS_CARRYLESS_MULTIPLICATION 1

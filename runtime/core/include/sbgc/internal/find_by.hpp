@@ -7,7 +7,7 @@
 
 namespace sbgc::detail {
 
-/// Returns where the first element is whose `member` is this value; the end if there is none.
+/// Returns the position of the first element whose `member` has this value, or the end.
 template <class Range, class Value, class Member>
 constexpr auto find_by(Range&& range, const Value& value, Member member) {
   return std::find_if(std::begin(range), std::end(range),

@@ -1,4 +1,4 @@
-/// The kinds of files of other programs.
+/// Detects the file types of other programs.
 #pragma once
 
 #include <algorithm>
@@ -7,11 +7,11 @@
 
 namespace sbgc::detail {
 
-/// The name of a file of the vendor's program in foreign_kind().
+/// The result of foreign_kind() for files of the vendor's program.
 inline constexpr std::string_view vendor_xml = "XML of the vendor's program";
 
-/// Returns what the content of a file is that this project does not write, such as "gzip data"; ""
-/// for text that it might.
+/// Returns the type of a file that this project does not write, such as "gzip data"; "" for text
+/// that may be its own.
 inline std::string_view foreign_kind(std::string_view content) noexcept {
   using namespace std::string_view_literals;
   constexpr std::pair<std::string_view, std::string_view> kinds[] = {

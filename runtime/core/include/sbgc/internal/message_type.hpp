@@ -1,4 +1,4 @@
-/// The type of a message, for those who need not see what is in it.
+/// Access to the type of a message without its definition.
 #pragma once
 
 #include <sbgc/message.hpp>

@@ -1,4 +1,4 @@
-/// JSON of this project.
+/// JSON files of this project.
 #pragma once
 
 #include <cstddef>
@@ -13,8 +13,8 @@
 
 namespace sbgc::detail {
 
-/// Parses a JSON object with the `format`. Fails with ErrorCode::bad_file if it is anything else
-/// than `what`, such as "an sbgc backup".
+/// Parses a JSON object with this `format`. Fails with ErrorCode::bad_file for anything other than
+/// `what`, such as "an sbgc backup".
 inline Result<Json> parse_own_json(std::string_view text, const char* format, const char* what) {
   const auto refused = [&](std::string_view kind) {
     return ClientError{ErrorCode::bad_file, "this is " + std::string(kind) + ", not " + what};
@@ -29,7 +29,7 @@ inline Result<Json> parse_own_json(std::string_view text, const char* format, co
   const auto said = value.is_object() ? value.find("format") : value.end();
   if (said == value.end() || !said->is_string()) return refused("other JSON");
   const auto& name = said->get_ref<const std::string&>();
-  constexpr std::size_t longest = 32;  // that an error quotes
+  constexpr std::size_t longest = 32;  // the longest format that an error quotes
   if (name != format)
     return refused("JSON of the format " + detail::quoted(name.substr(0, longest)));
   return std::move(document.value);

@@ -10,7 +10,7 @@
 
 namespace sbgc::detail {
 
-/// The number of letters to insert, remove, replace or swap with the next one.
+/// The edit distance: letters to insert, remove, replace or swap with the next one.
 inline std::size_t distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before_last(b.size() + 1);
   std::vector<std::size_t> last(b.size() + 1);
@@ -34,14 +34,14 @@ inline std::string_view without_dashes(std::string_view word) {
   return word.substr(std::min(word.find_first_not_of('-'), word.size()));
 }
 
-/// Returns the words of `known` that are nearest to `word`, if any is near: it begins with the
-/// word, or few letters differ. Ignores leading dashes.
+/// Returns the words of `known` that are nearest to `word`, if any is near enough: it begins with
+/// the word, or few letters differ. Ignores leading dashes.
 inline std::vector<std::string> nearest(std::string_view word,
                                         const std::vector<std::string>& known) {
   word = without_dashes(word);
   constexpr std::size_t longest = 64;
   if (word.empty() || word.size() > longest) return {};
-  // More changed letters make another word.
+  // With more changed letters, it is another word.
   std::size_t least = std::max<std::size_t>(word.size() / 3, 1);
   std::vector<std::string> result;
   for (const std::string& candidate : known) {

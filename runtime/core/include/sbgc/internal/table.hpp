@@ -1,5 +1,5 @@
-/// Tables of the types of messages: where each member is in memory, and what it is. Code that is
-/// not compiled for each message reads and writes messages by them; table_access.hpp has the means.
+/// Tables of the message types: the position of each member in memory, and its properties. Code
+/// that is not compiled for each message uses them to access messages; see table_access.hpp.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ namespace sbgc::detail {
 /// The numbers of the wire. A signed one follows the unsigned one of its size.
 enum class RawType : std::uint8_t { u8, i8, u16, i16, u24, i24, u32, i32, u64, i64, f32, f64 };
 
-/// The tables that give the number of a scalar its meaning. At most one of these is set.
+/// The tables that describe the meaning of a scalar's number. At most one of these is set.
 struct ScalarInfo {
   const UnitInfo* unit{};
   const EnumInfo* names{};
@@ -55,8 +55,8 @@ struct Slot {
   const ValueType* type{};
 };
 
-/// Whether a value can violate the specification: never, on boards that lack something, or on every
-/// board.
+/// Tells whether a value can violate the specification: never, on boards that lack something, or on
+/// every board.
 enum class Limited : std::uint8_t { never, on_some_boards, always };
 
 /// A rule across fields, by their indices: one must not be above the other.
@@ -284,7 +284,7 @@ constexpr Limited limited(const StructTable& table) noexcept {
   for (std::size_t i = 0; i < table.slots.size(); ++i) most = greater(most, table.limits[i]);
   return most;
 }
-/// As above, whatever the field. The number of elements is limited, too.
+/// The same for any field. The number of elements is limited, too.
 constexpr Limited limited(const ValueType& type) noexcept {
   switch (type.kind) {
     case Kind::scalar:
@@ -316,7 +316,7 @@ struct WithoutTail {
   using Type = T;
 };
 
-// These compilers accept that WithSurplus has members of its own.
+// These compilers accept that WithSurplus has its own members.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Winvalid-offsetof"
 

@@ -1,4 +1,4 @@
-/// Reads and writes the values of messages by their tables.
+/// Reads and writes the values of messages by means of their tables.
 #pragma once
 
 #include <cstddef>
@@ -32,7 +32,7 @@ constexpr bool is_signed(RawType type) noexcept {
   return (static_cast<unsigned>(type) & 1U) != 0 && !is_real(type);
 }
 
-/// True for a number without a meaning of its own.
+/// True for a number without a special meaning.
 constexpr bool is_plain_integer(const ValueType& type) noexcept {
   const ScalarInfo& info = type.meaning;
   return type.kind == Kind::scalar && !is_real(type.raw) && info.unit == nullptr &&
@@ -59,7 +59,7 @@ SBGC_ALWAYS_INLINE inline decltype(auto) with_raw(RawType type, Use&& use) {
   return use(double{});
 }
 
-/// Returns an integer; the bits of one that is unsigned and has 64 bits.
+/// Returns an integer; for an unsigned integer of 64 bits, its bits.
 SBGC_ALWAYS_INLINE inline std::int64_t load_integer(RawType type, const void* at) noexcept {
   return with_raw(type, [at]<class T>(T) { return static_cast<std::int64_t>(load<T>(at)); });
 }
@@ -114,8 +114,8 @@ inline std::size_t size_at(const ValueType& type, const void* at) noexcept {
   return size;
 }
 
-/// Sets the size of bytes, a text or a list, whose new elements are made. Returns false and changes
-/// nothing if it exceeds the capacity, or is fixed and another.
+/// Sets the size of bytes, a text or a list, and constructs new elements. Returns false and changes
+/// nothing if the size exceeds the capacity, or differs from a fixed one.
 inline bool resize(const ValueType& type, void* at, std::size_t size) noexcept {
   if (!type.is_bounded) return size == type.count;
   if (size > type.count) return false;

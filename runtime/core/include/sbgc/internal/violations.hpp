@@ -12,7 +12,7 @@
 
 namespace sbgc::detail {
 
-/// Reports every violation. Check finds out sooner whether there are some.
+/// Reports every violation. Check is faster for finding out whether there are any.
 class Violations {
  public:
   using Report = void (*)(void* user, const Violation& violation);
@@ -45,7 +45,7 @@ class Violations {
       }
     }
     for (const OrderRule& rule : table.rules) order(table, rule, object, parent);
-    // A tail may be anything.
+    // A tail may have any content.
   }
 
  private:
@@ -53,7 +53,7 @@ class Violations {
     const FieldInfo& field;
     const FieldPath& path;
   };
-  /// A violation without its place.
+  /// A violation without its position.
   struct Breach {
     double value{};
     double limit{};
@@ -80,7 +80,7 @@ class Violations {
       }
       case Kind::optional:
         if (!is_present(type, at)) return;
-        // Its presence alone changes the body, whatever the value.
+        // Its mere presence changes the body, whatever the value.
         exists(field.since, 0, {field, path});
         if (is_available(field.since, versions_)) value(field, *type.element, at, path);
         return;
@@ -105,7 +105,7 @@ class Violations {
     const UnitInfo unit = variable.unit_in(known_versions());
     in_range(static_cast<double>(raw), variable.range, place, &unit);
   }
-  /// Checks those of the axes that have a bit in `which`.
+  /// Checks the axes whose bit is set in `which`.
   void axes(const FieldInfo& field, const ValueType& type, const void* at, const FieldPath& path,
             unsigned which) {
     for (std::size_t i = 0; i < type.count; ++i) {
@@ -216,7 +216,7 @@ class Violations {
     return versions.firmware == std::numeric_limits<std::uint16_t>::max() &&
            versions.board == std::numeric_limits<std::uint8_t>::max() && versions.features == 0;
   }
-  /// The versions of the board; none if it is any, whose values are in their usual units.
+  /// The versions of the board; empty for any board, whose values are in their usual units.
   Availability known_versions() const noexcept {
     return versions_.firmware == std::numeric_limits<std::uint16_t>::max() ? Availability{}
                                                                            : versions_;

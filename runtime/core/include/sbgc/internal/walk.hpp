@@ -11,8 +11,8 @@
 namespace sbgc::detail {
 
 /// Passes a value to the handler of its kind and returns its result. A visitor has one handler for
-/// each Kind, `scalar(value, field)` and so on; walk_axes() and walk_list() go on to the values
-/// inside, which have the field of the whole.
+/// each Kind, `scalar(value, field)` and so on; walk_axes() and walk_list() descend to the values
+/// inside, with the field of the whole.
 template <class T, class Visitor>
 SBGC_ALWAYS_INLINE constexpr decltype(auto) walk(T& value, const FieldInfo& field,
                                                  Visitor& visitor) {

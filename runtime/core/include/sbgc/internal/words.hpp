@@ -1,4 +1,4 @@
-/// Words that users type or read.
+/// Helpers for words that users type or read.
 #pragma once
 
 #include <array>
@@ -7,10 +7,10 @@
 
 namespace sbgc::detail {
 
-/// In the order of the elements of Axes.
+/// The order is that of the elements of Axes.
 inline constexpr std::array<const char*, 3> axis_names{"roll", "pitch", "yaw"};
 
-/// Only letters of ASCII have another case.
+/// Only changes ASCII letters.
 constexpr char lower_case(char c) noexcept {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
@@ -52,7 +52,7 @@ inline std::string without_period(std::string sentence) {
   return sentence;
 }
 
-/// True if the path of a value is that of a field or of a part of it.
+/// True if the path of a value is that of the field or of a part of it.
 constexpr bool is_in_field(std::string_view path, std::string_view field) noexcept {
   return path.starts_with(field) &&
          (path.size() == field.size() || path[field.size()] == '.' || path[field.size()] == '[');

@@ -25,7 +25,7 @@ inline std::string to_hex(std::span<const std::uint8_t> bytes) {
   return result;
 }
 
-/// Parses hex digits in upper or lower case; returns nullopt if `text` is not pairs of them.
+/// Parses pairs of hex digits in upper or lower case; returns nullopt for any other text.
 inline std::optional<std::vector<std::uint8_t>> from_hex(std::string_view text) {
   if (text.size() % 2 != 0) return std::nullopt;
   std::vector<std::uint8_t> result(text.size() / 2);

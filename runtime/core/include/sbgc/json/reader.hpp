@@ -128,7 +128,7 @@ class JsonReader {
     std::size_t size = 0;
     Scope scope = source_.enter();
     for (; ok() && source_.next(scope); ++size) {
-      // Elements for which there is no place are checked, too: in the last place.
+      // Elements that exceed the capacity are checked, too, in the last place.
       const std::size_t place = std::min<std::size_t>(size, type.count - 1U);
       if (type.is_bounded) resize(type, out, place + 1);
       value(field, *type.element, element_at(type, out, place), FieldPath{&path, "", size});
@@ -139,8 +139,8 @@ class JsonReader {
     }
   }
 
-  /// Reads the members of an object. Each pass over them reads those that follow each other in the
-  /// source. Text in wire order needs one.
+  /// Reads the members of an object. Each pass over the members reads those that are in the same
+  /// order in the source. Text in wire order needs one pass.
   struct Members {
     const FieldPath* parent = nullptr;
     Scope scope{};
@@ -235,7 +235,7 @@ class JsonReader {
     return 0;
   }
 
-  /// A string; "" if the value is another one, or is too long for a number.
+  /// A string; "" if the value is not a string, or is too long for a number.
   struct ShortText {
     std::array<char, 24> chars{};
     std::size_t size = 0;
@@ -258,8 +258,8 @@ class JsonReader {
     return result;
   }
 
-  /// Reads hex as far as it fits into `out`. Returns the number of bytes of all of it; after an
-  /// error, out.size().
+  /// Reads as much hex as fits into `out`. Returns the total number of bytes; after an error,
+  /// out.size().
   std::size_t hex(std::span<std::uint8_t> out, const FieldPath& path) {
     JsonString string;
     bool is_hex = source_.string(string);
@@ -282,7 +282,7 @@ class JsonReader {
     return -1;
   }
 
-  /// Reads a string as far as it fits into `bytes`. Returns the size of all of it.
+  /// Reads as much of a string as fits into `bytes`. Returns its total size.
   std::size_t characters(std::span<char> bytes, const FieldPath& path) {
     JsonString string;
     if (!source_.string(string)) fail(path, "a string is needed");
@@ -303,7 +303,7 @@ class JsonReader {
     return size;
   }
 
-  /// Remembers the value just read of a counter of the message.
+  /// Stores the value of the message's counter that was just read.
   void announce(const char* name) {
     if (counters_ < counted_.size()) counted_[counters_++] = {name, announced_};
   }
@@ -334,7 +334,7 @@ class JsonReader {
     field_.assign(text.data(), path.write(text.data(), text.size()));
     fail_at_all(reason...);
   }
-  /// The problem is the whole message.
+  /// Reports a problem of the whole message.
   template <class... Part>
   void fail_at_all(Part... reason) {
     has_failed_ = true;

@@ -1,4 +1,4 @@
-/// JSON text.
+/// A sink that writes JSON text.
 #pragma once
 
 #include <bit>
@@ -45,12 +45,12 @@ struct Digits {
 #if defined(__cpp_lib_to_chars)
     return std::to_chars(begin, end, value, std::chars_format::scientific).ptr;
 #else
-    // Any 15 digits are distinct, except those of subnormal numbers.
+    // All numbers of 15 digits are distinct, except subnormal ones.
     for (int digits = value < std::numeric_limits<double>::min() ? 0 : 14;; ++digits) {
       const int size =
           std::snprintf(begin, static_cast<std::size_t>(end - begin), "%.*e", digits, value);
       if (digits == 16 || std::strtod(begin, nullptr) == value) return begin + size;
-      // A power of two is nearer to its neighbor below: only the digits above it may be right.
+      // A power of two is nearer to its lower neighbor: only the digits above it may be right.
       char& last = begin[digits == 0 ? 0 : digits + 1];
       if (last == '9') continue;
       ++last;
@@ -97,7 +97,7 @@ inline void put_real(TextOutput& out, double value) {
   }
 }
 
-/// Writes a character inside of a JSON string, escaped if it does not belong on a terminal.
+/// Writes a character inside a JSON string, escaped if it is unsafe on a terminal.
 inline void put_escaped(TextOutput& out, std::string_view character) {
   switch (character[0]) {
     case '"': return out.put("\\\"");

@@ -15,8 +15,8 @@
 
 namespace sbgc::detail {
 
-/// A source of JsonReader: text. It reads what the reader asks for, and stops at the first
-/// character that is not JSON.
+/// A source of JsonReader: text. It reads the values that the reader requests, and stops at the
+/// first character that is not JSON.
 class JsonTextSource {
  public:
   explicit JsonTextSource(std::string_view text)
@@ -92,10 +92,10 @@ class JsonTextSource {
     return at_ == end_ || refuse();
   }
 
-  /// Returns what is wrong with the text; null if it is JSON so far.
+  /// Returns the error in the text; null if it is valid JSON so far.
   const char* problem() const { return problem_; }
 
-  /// Ends the reading: the text is not JSON at the position.
+  /// Stops reading: the text at the position is not JSON.
   bool refuse() {
     return refuse(at_ == end_ ? "this is not JSON, or only its beginning" : "this is not JSON");
   }
@@ -150,7 +150,7 @@ class JsonTextSource {
     return true;
   }
 
-  /// Reads the string at the position, which is at its quote.
+  /// Reads the string whose opening quote is at the position.
   bool scan_string(JsonString& out) {
     const char* const start = ++at_;
     out.has_escapes = false;
@@ -172,7 +172,7 @@ class JsonTextSource {
     ++at_;
     return true;
   }
-  /// Skips characters of a string that need no attention: nearly all.
+  /// Skips ordinary characters of a string: nearly all.
   void skip_plain() {
     static constexpr auto plain = [] {
       std::array<bool, 256> result{};

@@ -1,4 +1,4 @@
-/// Strings and integers of JSON, as sources provide them.
+/// JSON strings and integers, as sources provide them.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace sbgc::detail {
 
-/// Returns the value of 4 hex digits; -1 if there are not as many.
+/// Returns the value of 4 hex digits; -1 if the text does not begin with them.
 inline std::int32_t hex4(std::string_view text) {
   if (text.size() < 4) return -1;
   std::int32_t value = 0;
@@ -23,13 +23,13 @@ inline std::int32_t hex4(std::string_view text) {
   return value;
 }
 
-/// An integer of JSON. Those beyond 64 bits are real numbers.
+/// A JSON integer. Integers beyond 64 bits become real numbers.
 struct JsonInteger {
   std::int64_t value{};  ///< the nearest if it does not fit
   std::string_view text{};
 };
 
-/// A valid string of JSON: the text between its quotes, in which escapes may remain.
+/// A valid JSON string: the text between its quotes, in which escapes may remain.
 struct JsonString {
   std::string_view raw{};
   bool has_escapes{};

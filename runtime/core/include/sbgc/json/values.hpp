@@ -64,8 +64,8 @@ constexpr bool is_nan(FloatBits<Float> bits) noexcept {
   return (bits & magnitude) > infinity;
 }
 
-/// The name of an infinity or a NaN, which JSON has no numbers for: "inf", "-inf" or
-/// "nan:<hex bits>".
+/// The name of an infinity or a NaN, for which JSON has no numbers: "inf", "-inf" or "nan:<hex
+/// bits>".
 class FloatName {
  public:
   template <class Float>

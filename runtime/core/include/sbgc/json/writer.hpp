@@ -19,8 +19,8 @@ namespace sbgc::detail {
 
 /// Writes a message to a sink, which has these functions: begin_object(), key(name), end_object(),
 /// begin_list(), element(), end_list(), and for values integer(number), real(number), hex(bytes),
-/// text(bytes), word(text) and decimal(number). Secrets are `hidden_text`, unless they are to be
-/// shown.
+/// text(bytes), word(text) and decimal(number). Secrets are replaced by `hidden_text`, unless they
+/// are shown.
 template <class Sink>
 class JsonWriter {
  public:
@@ -53,7 +53,7 @@ class JsonWriter {
   }
 
   SBGC_ALWAYS_INLINE void value(const FieldInfo& field, const ValueType& type, const void* at) {
-    // Most values are integers, which should not pay for the rest.
+    // Most values are integers, which are handled first for speed.
     if (type.kind != Kind::scalar || type.raw > RawType::i32) return other(field, type, at);
     const std::int64_t number = load_integer(type.raw, at);
     if (is_signed(type.raw)) return sink_.integer(number);
@@ -75,7 +75,7 @@ class JsonWriter {
   }
   void scalar(RawType type, const void* at) {
     switch (type) {
-      // Many readers of JSON round them, so they are texts.
+      // Many JSON readers round integers of 64 bits, so they are written as texts.
       case RawType::u64: return sink_.decimal(load<std::uint64_t>(at));
       case RawType::i64: return sink_.decimal(load<std::int64_t>(at));
       case RawType::f32: return real(load<float>(at));
@@ -110,7 +110,7 @@ class JsonWriter {
     sink_.end_list();
   }
 
-  /// JSON has no infinities and NaN; they are words.
+  /// JSON has no infinities and NaN; they are written as words.
   template <class Float>
   void real(Float value) {
     if (is_finite(value)) return sink_.real(static_cast<double>(value));

@@ -36,14 +36,14 @@ struct Leaf {
   const EnumInfo* names{};     ///< of enum values or flags
   const PackedInfo* packed{};  ///< of a packed value
   NumberType announced{};      ///< of a number whose type another message has announced
-  /// Set if the firmware is not known: the meaning is that before this one.
+  /// Set if the firmware is not known: the meaning assumed is the one before this.
   const LaterMeaning* assumed_before{};
   // The position in the body.
-  std::size_t offset{};  ///< 0 if only this value is looked for
+  std::size_t offset{};  ///< 0 if only this value is searched for
   std::size_t size{};    ///< of bytes and text
   Secrets secrets{};     ///< whether the texts below show the value if it is secret
 
-  /// Returns the number on the wire, of which a double may not hold all digits.
+  /// Returns the number on the wire; a double may not hold all of its digits.
   constexpr double number() const noexcept {
     if (kind == LeafKind::real) return real;
     return is_u64 ? static_cast<double>(static_cast<std::uint64_t>(integer))
@@ -61,7 +61,7 @@ inline bool is_hidden(const Leaf& leaf) {
   return holds_secret(leaf) && leaf.secrets == Secrets::hidden;
 }
 
-/// Returns true if the leaf is reserved and 0, as it should be.
+/// Returns true if the leaf is reserved and 0, as required.
 inline bool is_unused(const Leaf& leaf) {
   if (!leaf.field.reserved) return false;
   for (const std::uint8_t byte : leaf.bytes) {
@@ -87,14 +87,14 @@ inline void put_raw_other(TextOutput& out, const Leaf& leaf) {
 
 /// Writes the raw value: "-1365", "0.5", "00ff", "\"Drone\"".
 inline void put_raw(TextOutput& out, const Leaf& leaf) {
-  // Most values are integers, which should not pay for the rest.
+  // Most values are integers, which are handled first for speed.
   if (leaf.kind != LeafKind::integer && leaf.kind != LeafKind::counter) {
     return detail::put_raw_other(out, leaf);
   }
   if (leaf.is_u64) return out.put(static_cast<std::uint64_t>(leaf.integer));
   out.put(leaf.integer);
 }
-/// Returns what put_raw() writes.
+/// Returns the text that put_raw() writes.
 inline std::string raw_text(const Leaf& leaf) {
   return detail::text_of([&](TextOutput& out) { put_raw(out, leaf); });
 }
@@ -133,7 +133,7 @@ inline void put_certain_meaning(TextOutput& out, const Leaf& leaf) {
 
 namespace detail {
 
-/// Returns a version in the notation of the protocol, if that has one.
+/// Returns a version in the notation of the protocol, if it has one.
 template <class Version>
 std::string version_text(std::uint16_t version) {
   if constexpr (std::is_integral_v<Version>) {
@@ -145,7 +145,7 @@ std::string version_text(std::uint16_t version) {
 
 }  // namespace detail
 
-/// Returns what the meaning assumes about the board: "before firmware 2.73.1"; "" if nothing.
+/// Returns the assumption about the board: "before firmware 2.73.1"; "" if there is none.
 inline std::string assumption_text(const Leaf& leaf) {
   if (leaf.assumed_before == nullptr) return "";
   return "before firmware " +
@@ -165,14 +165,14 @@ SBGC_NOINLINE inline void put_assumed_meaning(TextOutput& out, const Leaf& leaf)
 }  // namespace detail
 
 /// Writes the meaning of the raw value: "-30 deg", "MODE_ANGLE", "2.43b9", "use the current
-/// profile"; nothing if the number itself is the meaning. A meaning that depends on the firmware,
-/// if that is not known, is followed by what it assumes: "0.12 (before firmware 2.73.1)".
+/// profile"; nothing if the number itself is the meaning. If the meaning depends on the firmware
+/// and that is not known, the assumption follows: "0.12 (before firmware 2.73.1)".
 inline void put_meaning(TextOutput& out, const Leaf& leaf) {
   if (const char* const special = special_meaning(leaf)) return out.put(special);
   if (leaf.assumed_before != nullptr) return detail::put_assumed_meaning(out, leaf);
   detail::put_certain_meaning(out, leaf);
 }
-/// Returns what put_meaning() writes.
+/// Returns the text that put_meaning() writes.
 inline std::string meaning_text(const Leaf& leaf) {
   return detail::text_of([&](TextOutput& out) { put_meaning(out, leaf); });
 }
@@ -229,7 +229,7 @@ class LeafWalk {
  protected:
   SBGC_ALWAYS_INLINE void value(const FieldInfo& field, const ValueType& type, const void* at,
                                 const FieldPath& path) {
-    // Most values are numbers, which should not pay for the rest.
+    // Most values are numbers, which are handled first for speed.
     if (type.kind != Kind::scalar) return other(field, type, at, path);
     if (is_real(type.raw) || field.alternative != nullptr || !field.later.empty()) {
       return scalar(field, type, at, path, type.meaning, field.later);
@@ -258,7 +258,7 @@ class LeafWalk {
         return;
     }
   }
-  /// Walks over all values without using them, for those that select the unit of another.
+  /// Walks over all values without using them, for values that select the unit of another one.
   void skip(const StructTable& table, const void* object) {
     const Use use = std::exchange(use_, [](void*, const Leaf&) {});
     members(table, object);
@@ -277,7 +277,7 @@ class LeafWalk {
       value(field, *type.element, element_at(type, at, i), FieldPath{&path, "", i});
     }
   }
-  /// Any scalar, with a meaning that may be another than that of its type.
+  /// Handles any scalar; its meaning may differ from that of its type.
   void scalar(const FieldInfo& field, const ValueType& type, const void* at, const FieldPath& path,
               ScalarInfo info, const std::span<const LaterMeaning>& later) {
     const LaterMeaning* const assumed = later.empty() ? nullptr : change(info, later);
@@ -337,8 +337,8 @@ class LeafWalk {
          .text = {static_cast<const char*>(begin), size},
          .size = type.is_bounded ? 1 + size : type.count});
   }
-  /// Changes what a value means to what it does on the board. Returns the meaning before which that
-  /// is, if the firmware is not known.
+  /// Changes the meaning of a value to the one that applies to the board. If the firmware is not
+  /// known, returns the later meaning that was ignored.
   SBGC_NOINLINE const LaterMeaning* change(ScalarInfo& info,
                                            std::span<const LaterMeaning> later) const {
     if (versions_.firmware == 0) return &later.front();
@@ -366,7 +366,7 @@ class LeafWalk {
     if (path.parent == nullptr) return;
     const FieldPath& above = *path.parent;
     if (above.parent == nullptr) numbers_.push_back({above.name, path.name, raw});
-    // A member of a group for each axis.
+    // A member of a group that exists for each axis.
     if (above.parent != nullptr && above.parent->parent == nullptr) {
       numbers_.push_back({path.name, above.name, raw});
     }
@@ -402,8 +402,8 @@ void call_user(void* user, const Leaf& leaf) {
 }  // namespace detail
 
 /// Calls `use(const Leaf&)` for every value of a message or struct, in wire order. Skips missing
-/// members and an empty tail. Values mean what they do on a board with these versions; without them
-/// the usual, and Leaf::assumed_before says where later firmware differs.
+/// members and an empty tail. Values are interpreted as on a board with these versions; without
+/// versions in the usual way, and Leaf::assumed_before says where later firmware differs.
 template <class T, class User>
 void for_each_leaf(const T& message, User&& use, const Availability& versions = {}) {
   detail::LeafWalk walk(detail::call_user<std::remove_reference_t<User>>, &use, versions);

@@ -22,7 +22,7 @@
 
 namespace sbgc::detail {
 
-/// Formats as printf("%.*g"), but with a decimal point in any locale.
+/// Formats like printf("%.*g"), but with a decimal point in any locale.
 inline std::string printed(double value, int digits) {
   char buffer[32];
   std::snprintf(buffer, sizeof buffer, "%.*g", digits, value);
@@ -59,7 +59,7 @@ inline void write_six(char* out, std::uint32_t number) noexcept {
   write_pair(out + 4, number % 100);
 }
 
-/// Formats as printf("%.6g"): a number with six significant digits. (std::to_chars would enlarge
+/// Formats like printf("%.6g"): a number with six significant digits. (std::to_chars would enlarge
 /// the WebAssembly decoder by a third.)
 inline void put_general(TextOutput& out, double value) {
   static constexpr double powers[] = {1e-4, 1e-3, 1e-2, 1e-1, 1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6};
@@ -70,7 +70,7 @@ inline void put_general(TextOutput& out, double value) {
     return out.put(static_cast<std::int32_t>(value));
   }
   if (!(size >= 1e-4 && size < 1e6)) return out.put(printed(value, 6));
-  // The exponent of the first digit, from that of 2: 1233 / 4096 is the logarithm of 2.
+  // The exponent of the first digit, from the binary one: 1233 / 4096 is the logarithm of 2.
   const auto binary = static_cast<int>(std::bit_cast<std::uint64_t>(size) >> 52) - 1023;
   int exponent = (binary * 1233) >> 12;
   if (size >= powers[one + exponent + 1]) ++exponent;
@@ -79,8 +79,8 @@ inline void put_general(TextOutput& out, double value) {
   const double scaled = size * scale;
   auto digits = static_cast<std::uint32_t>(scaled);
   const double rest = scaled - digits;
-  // The product is exact to 1e-10. Where that does not decide, a half that is exact is rounded to
-  // an even digit, and the exact value decides the rest.
+  // The product is accurate to 1e-10. Where that does not suffice, an exact half is rounded to an
+  // even digit, and the exact value decides the rest.
   if (rest > 0.5 - 1e-9 && rest < 0.5 + 1e-9) {
     if (rest != 0.5 || std::fma(size, scale, -scaled) != 0) return out.put(printed(value, 6));
     digits += digits & 1U;
@@ -125,7 +125,7 @@ inline void put_number(TextOutput& out, double value) {
 inline std::string real_text(double value, std::size_t size) {
   const int most = size == sizeof(float) ? 9 : 17;
   for (int digits = 6; digits < most; ++digits) {
-    char buffer[320];  // as g++ assumes that the precision can be any
+    char buffer[320];  // because g++ assumes that the precision can be any
     std::snprintf(buffer, sizeof buffer, "%.*g", digits, value);
     const double again = size == sizeof(float) ? static_cast<double>(std::strtof(buffer, nullptr))
                                                : std::strtod(buffer, nullptr);
@@ -134,7 +134,7 @@ inline std::string real_text(double value, std::size_t size) {
   return printed(value, most);
 }
 
-/// Returns the bits of a number of `size` bytes, without the extension of its sign.
+/// Returns the bits of a number of `size` bytes, without its sign extension.
 constexpr std::uint64_t low_bits(std::uint64_t bits, std::size_t size) noexcept {
   return size >= sizeof bits ? bits : bits & ((std::uint64_t{1} << (8 * size)) - 1);
 }
@@ -271,7 +271,7 @@ inline std::string packed_text(const PackedInfo& info, std::uint64_t raw) {
   return result;
 }
 
-/// Writes text in quotes, with characters that do not belong on a terminal escaped.
+/// Writes quoted text, with characters that are unsafe on a terminal escaped.
 inline void put_quoted(TextOutput& out, std::string_view bytes) {
   out.put('"');
   for_each_character(bytes, [&](std::string_view character) {

@@ -38,23 +38,23 @@ struct Threshold {
 std::span<const Threshold> thresholds();
 double threshold(Limit limit);
 
-/// The frequencies to show.
+/// Returns the frequencies to show.
 inline std::span<const analysis::Frequency> strongest(const std::vector<analysis::Frequency>& all) {
   constexpr std::size_t most = 3;
   return std::span(all).first(std::min(all.size(), most));
 }
 
-/// Something that is wrong, and what helps.
+/// A problem, and a remedy.
 struct Finding {
-  std::string id{};                   ///< what was found, such as "vibration"
+  std::string id{};                   ///< a name, such as "vibration"
   std::optional<std::size_t> axis{};  ///< 0 roll, 1 pitch, 2 yaw
   std::string sentence{};
   std::string advice{};
-  std::string command{};         ///< that helps; may be ""
-  std::optional<Limit> limit{};  ///< that was exceeded
+  std::string command{};         ///< a remedy; may be ""
+  std::optional<Limit> limit{};  ///< the exceeded limit
 };
 
-/// Judges the measurements. The order of findings is that in which to deal with them.
+/// Judges the measurements. The findings are ordered by priority.
 std::vector<Finding> findings_of(const Measurements& measured);
 
 }  // namespace sbgc::doctor

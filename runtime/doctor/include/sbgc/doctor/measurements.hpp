@@ -1,4 +1,4 @@
-/// Measurements of a gimbal, before anything judges them.
+/// Measurements of a gimbal, before they are judged.
 #pragma once
 
 #include <array>
@@ -28,7 +28,7 @@ class Mean {
     sum_ += value;
     ++count_;
   }
-  /// Nothing without samples.
+  /// Returns the mean, or nothing without samples.
   std::optional<double> value() const {
     if (count_ == 0) return {};
     return sum_ / static_cast<double>(count_);
@@ -39,7 +39,7 @@ class Mean {
   std::size_t count_ = 0;
 };
 
-/// How often a counter of 16 bits rose while it was watched.
+/// Counts the increments of a 16-bit counter while it is watched.
 class CountedErrors {
  public:
   void add(std::uint16_t count) {
@@ -53,19 +53,19 @@ class CountedErrors {
   std::uint64_t risen_ = 0;
 };
 
-/// How the gyroscope was sampled.
+/// The source of the gyroscope's samples.
 enum class Sampling : std::uint8_t { stream, polls };
 
-/// How an axis vibrates.
+/// The vibration of an axis.
 struct AxisVibration {
   double rms{};                                    ///< in deg/s
   std::vector<analysis::Frequency> frequencies{};  ///< the strongest first
 };
 
-/// The root mean square of a frequency, to compare with that of all.
+/// The root mean square of one frequency, for comparison with that of all frequencies.
 inline double rms_of(const analysis::Peak& peak) { return peak.amplitude / std::numbers::sqrt2; }
 
-/// The calibrated positions of the accelerometer, of six.
+/// The number of calibrated positions of the accelerometer, up to six.
 inline int positions_of(const msg::CalibInfo& calibration) {
   return std::popcount(static_cast<unsigned>(calibration.acc_limits_info.raw()) & 0x3FU);
 }
@@ -75,7 +75,7 @@ struct Measurements {
 
   // From live data
   std::size_t messages = 0;
-  msg::SystemErrors errors{};  ///< those that were ever reported
+  msg::SystemErrors errors{};  ///< all errors reported so far
   msg::SystemSubError sub_error{};
   CountedErrors i2c{}, serial{};
   Axes<Mean> power{};    ///< of the motors, in percent
@@ -101,15 +101,15 @@ struct Measurements {
   // The gyroscope, in deg/s
   Sampling sampling{};
   std::optional<analysis::UniformSamples> gyro{};
-  std::optional<analysis::UniformSamples> again{};  ///< at another rate, which tells aliases
+  std::optional<analysis::UniformSamples> again{};  ///< at another rate, which identifies aliases
 
-  /// Takes a message of live data.
+  /// Adds a message of live data.
   void add(const msg::RealtimeData3& data) { add_common(data); }
   void add(const msg::RealtimeData4& data);
-  /// Takes the counters of the line.
+  /// Adds the counters of the line.
   void add(const SessionStatistics& session);
 
-  /// Nothing if too many samples are lost, or too few were taken.
+  /// Empty if too many samples are lost, or too few were taken.
   std::optional<Axes<AxisVibration>> vibration() const;
 
  private:

@@ -22,10 +22,10 @@
 ///       12  n  the bytes of one read or write; UTF-8 in a note
 ///       12+n 4 checksum of bytes 0 to 11+n
 ///
-/// Times have 62 bits; a reader ignores the other two. Bytes that are neither are damaged. The
-/// reader skips them up to the next sound record or session header; only up to a header if that of
-/// the session is damaged, too, which shows at the latest in a time that is before that of the last
-/// record.
+/// Times have 62 bits; a reader ignores the other two. Anything that is neither a header nor a
+/// record is damage. The reader skips it up to the next intact record or session header; only up to
+/// a header if the header of the session is damaged, too, which shows at the latest in a time
+/// before that of the last record.
 #pragma once
 
 #include <chrono>
@@ -57,7 +57,7 @@ struct CaptureSession {
   bool operator==(const CaptureSession&) const = default;
 };
 
-/// Bytes of one direction, or a note, with its time.
+/// Bytes of one direction, or a note, with a timestamp.
 struct CaptureRecord {
   CaptureKind kind{};                     ///< may have unnamed values
   CaptureTime time{};                     ///< since the start of the session
@@ -67,7 +67,7 @@ struct CaptureRecord {
 
 /// Bytes of the file that are neither a session header nor a record.
 struct CaptureDamage {
-  /// Why bytes of the file are no record.
+  /// The reason why bytes of the file are not a record.
   enum class Reason : std::uint8_t {
     not_a_capture,  ///< the file does not begin as a capture; it is the only item
     newer_version,  ///< a session of a newer version than this program supports
@@ -85,10 +85,10 @@ struct CaptureDamage {
 /// Returns a sentence: "7 bytes from offset 24 are damaged."
 std::string to_string(const CaptureDamage& damage);
 
-/// A finding of CaptureParser.
+/// The result of CaptureParser::next().
 using CaptureItem = std::variant<CaptureSession, CaptureRecord, CaptureDamage>;
 
-/// The number of bytes that distinguish a capture from another file.
+/// The number of bytes that distinguish a capture from other files.
 inline constexpr std::size_t capture_magic_size = 8;
 
 /// Returns true if a file that begins with these bytes is a capture. Needs at least
@@ -97,8 +97,8 @@ bool is_capture(std::span<const std::uint8_t> begin) noexcept;
 /// Returns true if these bytes are a proper prefix of a capture's magic, so that more are needed.
 bool may_become_capture(std::span<const std::uint8_t> begin) noexcept;
 
-/// An incremental parser of captures. Buffers at most one record and the bytes fed last, and reads
-/// every byte a bounded number of times.
+/// An incremental parser of captures. Buffers at most one record and the bytes passed last, and
+/// reads every byte a bounded number of times.
 class CaptureParser {
  public:
   /// Adds the next bytes of the file.
@@ -134,7 +134,7 @@ class CaptureParser {
   std::size_t position_ = 0;  // of the next byte in the buffer
   std::uint64_t offset_ = 0;  // of the next byte in the file
   bool finished_ = false;
-  bool has_session_ = false;             // records belong to a known session
+  bool has_session_ = false;             // if true, records belong to a known session
   CaptureTime time_{};                   // of the last record
   std::optional<CaptureDamage> damage_;  // set while searching for the next item
   detail::RangeCrc32 checksums_;         // of the buffer's first bytes, at least while searching
@@ -149,7 +149,7 @@ enum class CaptureFormat : std::uint8_t {
 /// Writes a capture.
 class CaptureWriter {
  public:
-  /// The clock of its times.
+  /// The clock of the timestamps.
   using Clock = std::chrono::steady_clock;
 
   CaptureWriter() = default;
@@ -157,7 +157,7 @@ class CaptureWriter {
   /// a second; otherwise, it waits for the reader. The caller keeps ownership.
   explicit CaptureWriter(CaptureFormat format, int end = -1) : format_(format), end_(end) {}
   CaptureWriter(CaptureWriter&& other) noexcept;
-  /// Closes its own file, and takes over the other.
+  /// Closes its own file, and takes over the other one.
   CaptureWriter& operator=(CaptureWriter&& other) noexcept;
   CaptureWriter(const CaptureWriter&) = delete;
   CaptureWriter& operator=(const CaptureWriter&) = delete;
@@ -169,8 +169,8 @@ class CaptureWriter {
   Error open(const std::string& path, Clock::time_point now = Clock::now());
 
   /// Begins a session on a descriptor that is open for writing, such as standard output; the caller
-  /// keeps ownership. Error messages contain `name`. Without an `end`, a write that waits for
-  /// a reader fails if a signal interrupts it.
+  /// keeps ownership. Error messages contain `name`. Without an `end`, a write that waits for a
+  /// reader fails if a signal interrupts it.
   Error open(int descriptor, const std::string& name, Clock::time_point now = Clock::now());
 
   /// Adds the bytes read or written at `now`; more than 65535 bytes become several records. After

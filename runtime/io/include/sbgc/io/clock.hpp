@@ -10,7 +10,7 @@ namespace sbgc::io {
 /// The clock of all deadlines.
 using Clock = std::chrono::steady_clock;
 
-/// Returns the same time in the types of a session, rounded down.
+/// Returns the duration in the type of a session, rounded down.
 constexpr Duration from_chrono(Clock::duration duration) noexcept {
   return {std::chrono::floor<std::chrono::microseconds>(duration).count()};
 }

@@ -36,8 +36,8 @@ inline std::error_code make_error_code(Errc code) noexcept {
   return {static_cast<int>(code), error_category()};
 }
 
-/// A failure, or none: a code for programs, a message for the user. True in a condition if it is a
-/// failure.
+/// A failure, or no failure: a code for programs, a message for the user. True in a condition if it
+/// is a failure.
 struct Error {
   std::error_code code{};  ///< of Errc, or of the operating system
   std::string message{};   ///< ends with a period, names the port or host, may have several lines

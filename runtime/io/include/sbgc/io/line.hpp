@@ -18,7 +18,7 @@ inline std::string to_string(const LineSettings& settings) {
   return std::to_string(settings.baud_rate) + (settings.parity == Parity::even ? " 8E1" : " 8N1");
 }
 
-/// Control over the line of a transport that has one. Calls do not block.
+/// Control over the line of a transport. Calls do not block.
 class LineControl {
  public:
   LineControl() = default;

@@ -12,7 +12,7 @@
 
 namespace sbgc::io {
 
-/// Told about the events of a transport, on its executor.
+/// An observer of the events of a transport, called on its executor.
 class Observer {
  public:
   Observer() = default;
@@ -26,16 +26,16 @@ class Observer {
   virtual void on_written(std::span<const std::uint8_t> bytes) = 0;
   /// Called when a read has failed.
   virtual void on_read_failed([[maybe_unused]] std::error_code error) {}
-  /// `size` of `all` bytes were passed to the system before the error.
+  /// Called when a write fails after `size` of `all` bytes were passed to the system.
   virtual void on_write_failed([[maybe_unused]] std::error_code error,
                                [[maybe_unused]] std::size_t size,
                                [[maybe_unused]] std::size_t all) {}
-  /// The line has these settings after an attempt to change them.
+  /// Called with the actual settings of the line after an attempt to change them.
   virtual void on_line_set([[maybe_unused]] const LineSettings& settings) {}
 };
 
-/// Returns a transport that forwards to `inner` and tells the observer what happens. The observer
-/// lives until the last pending operation has ended.
+/// Returns a transport that forwards to `inner` and reports its events to the observer. The
+/// observer lives until the last pending operation has ended.
 std::unique_ptr<Transport> observe(std::unique_ptr<Transport> inner,
                                    std::shared_ptr<Observer> observer);
 

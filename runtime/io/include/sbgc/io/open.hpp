@@ -17,11 +17,11 @@
 
 namespace sbgc::io {
 
-/// The beginning of an address, and its whole form. Help and completion read it, too.
+/// The beginning of an address, and its full syntax. Also used by help and completion.
 struct AddressKind {
   const char* name = "";        ///< "tcp"
   const char* syntax = "";      ///< "tcp:HOST:PORT"
-  bool leads_to_gimbal = true;  ///< false for one that waits for a host
+  bool leads_to_gimbal = true;  ///< false if it waits for a host
 };
 
 /// "/dev/ttyUSB0", "serial:/dev/ttyUSB0?baud=57600&parity=even". A path without "serial:" has a
@@ -66,7 +66,7 @@ struct CaptureAddress {
 /// An address of any kind.
 using Address = std::variant<SerialAddress, TcpAddress, UdpAddress, PtyAddress, CaptureAddress>;
 
-/// All kinds.
+/// All kinds of addresses.
 inline constexpr auto address_kinds = []<class... Ts>(const std::variant<Ts...>*) {
   return std::array{Ts::kind...};
 }(static_cast<const Address*>(nullptr));
@@ -86,7 +86,7 @@ AddressResult parse_address(std::string_view text);
 
 /// Options of open().
 struct OpenOptions {
-  /// For name lookups and connecting.
+  /// The timeout for name lookups and connecting.
   std::chrono::milliseconds timeout = std::chrono::seconds(5);
 };
 
@@ -96,10 +96,10 @@ OpenResult open(const asio::any_io_executor& executor, std::string_view address,
 OpenResult open(const asio::any_io_executor& executor, const Address& address,
                 const OpenOptions& options = {});
 
-/// Continues on a line that is open: the Transport::native_handle() of another transport,
-/// duplicated or received from another process. Takes ownership of `descriptor`, also on failure.
-/// The line keeps its settings, and a serial port stays locked as long as any descriptor of it is
-/// open. While two transports share a line, only one of them may read.
+/// Continues on an open line: the Transport::native_handle() of another transport, duplicated or
+/// received from another process. Takes ownership of `descriptor`, also on failure. The line keeps
+/// its settings, and a serial port stays locked as long as any descriptor of it is open. While two
+/// transports share a line, only one of them may read.
 OpenResult adopt(const asio::any_io_executor& executor, int descriptor);
 
 }  // namespace sbgc::io

@@ -1,8 +1,8 @@
-/// Captures for Wireshark: blocks of pcapng, a format of packets with times and directions.
+/// Captures for Wireshark: blocks of pcapng, a packet format with times and directions.
 ///
-/// The link type is LINKTYPE_USER13, which the dissector of the project registers for itself. A
-/// packet has the bytes of one read or write, and its direction in its flags. One without bytes and
-/// without a direction begins a session: nothing before it continues behind it.
+/// The link type is LINKTYPE_USER13, for which the dissector of the project registers. A packet has
+/// the bytes of one read or write, and its direction in its flags. A packet without bytes and
+/// direction begins a session, in which no earlier data continues.
 #pragma once
 
 #include <algorithm>
@@ -23,10 +23,10 @@ namespace sbgc::io::pcapng {
 
 /// A part of a file.
 using Bytes = std::vector<std::uint8_t>;
-/// A time of a packet.
+/// The time of a packet.
 using Time = std::chrono::sys_time<std::chrono::microseconds>;
 
-/// USER13, which Wireshark leaves to others.
+/// USER13, which is reserved for private use.
 inline constexpr std::uint16_t link_type = 160;
 /// A file begins with the type of its first block, which is the same in either byte order.
 inline constexpr std::array<std::uint8_t, 4> magic{0x0A, 0x0D, 0x0D, 0x0A};
@@ -94,7 +94,7 @@ inline void append_section(Bytes& to) {
   });
 }
 
-/// Appends a packet. Of any other kind than bytes from or to the board, it has no direction.
+/// Appends a packet. It has a direction only if it holds bytes from or to the board.
 inline void append_packet(Bytes& to, Time time, CaptureKind kind,
                           std::span<const std::uint8_t> bytes,
                           std::span<const std::string> comments = {}) {

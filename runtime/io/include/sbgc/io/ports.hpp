@@ -26,7 +26,7 @@ struct PortInfo {
   std::optional<UsbInfo> usb;  ///< only of USB ports
 };
 
-/// The serial ports of the machine, or why they cannot be listed.
+/// The serial ports of the machine, or the error that prevented listing them.
 struct PortList {
   std::vector<PortInfo> ports;  ///< sorted by name, numbers by value
   Error error;                  ///< if the system cannot list its ports

@@ -12,7 +12,7 @@
 
 namespace sbgc::io {
 
-/// The simulating side. The other side is opened by path(), like any serial port.
+/// The simulating side of a serial port. Programs open the other side by path().
 class PseudoTerminal : public Transport {
  public:
   /// Returns the path that the other side opens, e.g. "/dev/pts/7".

@@ -13,8 +13,8 @@
 namespace sbgc::io {
 
 /// Opens a serial port exclusively in raw mode, and discards bytes received before. Verifies the
-/// settings by reading them back; the transport's line() changes them. A device that is unplugged
-/// is Errc::device_lost. Does not block.
+/// settings by reading them back; the transport's line() changes them. If the device is unplugged,
+/// operations fail with Errc::device_lost. Does not block.
 OpenResult open_serial(const asio::any_io_executor& executor, const std::string& path,
                        const LineSettings& settings = default_line);
 

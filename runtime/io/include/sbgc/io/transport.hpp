@@ -25,7 +25,7 @@ namespace sbgc::io {
 /// A transport must not outlive the execution context of its executor. Destroying it closes it.
 class Transport {
  public:
-  /// Takes the error, and the number of bytes.
+  /// A callback with the error and the number of bytes.
   using Handler = std::function<void(std::error_code, std::size_t)>;
 
   Transport() = default;
@@ -60,7 +60,7 @@ class Transport {
   /// or if it alone does not carry the bytes. See adopt().
   virtual int native_handle() { return -1; }
 
-  /// Returns true if bytes may arrive twice, or in another order than they were sent in.
+  /// Returns true if bytes may arrive twice, or in a different order.
   virtual bool may_repeat() const { return false; }
 };
 

@@ -55,12 +55,12 @@ enum class EventKind : std::uint8_t {
   reset,         ///< the board is about to restart; the requests complete right after
 };
 
-/// Whether a message is a sample of a data stream that this session has started.
+/// Tells whether a message is a sample of a data stream that this session has started.
 enum class Sample : std::uint8_t {
   none,      ///< no stream of this message, or of this size, is running
   yes,       ///< a sample, which may also answer a request
   no,        ///< a stream of this message is running, but this is only an answer
-  doubtful,  ///< a sample, or an answer that is late
+  doubtful,  ///< a sample, or a late answer
 };
 
 /// An event of a session. `frame` is a view, valid only during the call.
@@ -101,12 +101,12 @@ struct SendResult {
 
 /// Options of one request.
 struct SendOptions {
-  /// The host that asks, in a session that several hosts share: requests of one host keep their
-  /// order. Another host than 0 tells the responses to its own requests apart itself.
+  /// The host of the request, in a session that several hosts share: requests of one host keep
+  /// their order. A host other than 0 distinguishes the responses to its own requests itself.
   std::uint16_t host = 0;
   /// Wait for an optional confirmation: complete with `confirmed` or `unconfirmed`, not `sent`.
   bool expect_confirmation = false;
-  /// With it: send it again like a request whose confirmation is certain.
+  /// With expect_confirmation: resend it like a request whose confirmation is certain.
   bool repeat_unconfirmed = false;
   bool ignore_budget = false;  ///< start a data stream regardless of its bandwidth
   std::uint8_t attempts = 0;   ///< maximum transmissions if a retry is safe; 0: the session's

@@ -11,7 +11,7 @@
 
 namespace sbgc::detail {
 
-/// A request whose replies are late; the last one, if there are several that the same frames match.
+/// A request with late replies; the last one if the same frames match several.
 struct LateRequest {
   Handle handle{};
   std::uint16_t host{};
@@ -19,14 +19,14 @@ struct LateRequest {
 };
 
 /// The late replies that may still arrive. They consume matching frames, so that no frame is
-/// matched to a later request. With `has_hosts`, those of several hosts are kept apart.
+/// matched to a later request. With `has_hosts`, replies to several hosts are kept apart.
 template <std::size_t capacity, bool has_hosts = false>
 class LateReplies {
  public:
   struct Entry {
     LateRequest request{};
     Ticks left{};
-    std::uint32_t frames{};  // 0: only repetitions
+    std::uint32_t frames{};  // 0: only duplicates
   };
 
   /// The entries that a frame matches.
@@ -37,12 +37,12 @@ class LateReplies {
 
   constexpr std::size_t size() const noexcept { return size_; }
 
-  /// Returns true if an entry could be added while `reserved` places stay free.
+  /// Returns true if an entry could be added with `reserved` places left free.
   constexpr bool has_room(std::size_t reserved) const noexcept {
     return size_ + reserved < capacity;
   }
 
-  /// Expects up to `frames` further frames for a request, for this long; with 0 frames, repetitions
+  /// Expects up to `frames` further frames for a request, for this long; with 0 frames, duplicates
   /// of those that have arrived. Without room, see has_room(), this replaces the entry that expires
   /// first.
   constexpr void add(Handle request, std::uint16_t host, const Responses& responses,
@@ -63,8 +63,7 @@ class LateReplies {
     entry.left = longer(entry.left, left);
   }
 
-  /// Keeps the entry to which this request was the last to add, if there is one, at least this
-  /// long.
+  /// If this request was the last one added to an entry, keeps that entry at least this long.
   constexpr void extend(Handle request, Ticks left) noexcept {
     for (std::size_t i = 0; i < size_; ++i) {
       Entry& entry = entries_[i];
@@ -95,8 +94,8 @@ class LateReplies {
     return found;
   }
 
-  /// Consumes one frame of an entry. On a line that repeats frames within `repeats`, if not 0, the
-  /// entry stays at least that long.
+  /// Consumes one frame of an entry. On a line that duplicates frames within `repeats`, if not 0,
+  /// the entry stays at least that long.
   constexpr void take(Entry& entry, Ticks repeats) noexcept {
     if (entry.frames != 0) --entry.frames;
     if (repeats != 0) {

@@ -11,15 +11,15 @@
 
 namespace sbgc::detail {
 
-/// The kind of a frame, and the command that it confirms or reports as failed (0 if unknown), else
-/// its id. With `any_size`, a body of a wrong size, which does not decode, is a response, too.
+/// The kind of a frame, and the command that it confirms or reports as failed (0 if unknown), or
+/// its own id. With `any_size`, a body of a wrong size, which does not decode, is a response, too.
 struct Meaning {
   const Frame& frame;
   EventKind kind;
   std::uint8_t command;
   bool any_size;
 
-  /// Returns true for an error that does not say which request has failed.
+  /// Returns true for an error that does not name the failed request.
   bool is_anonymous() const noexcept { return kind == EventKind::board_error && command == 0; }
 
   /// Returns true if the frame can be one of these responses.

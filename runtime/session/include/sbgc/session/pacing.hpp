@@ -12,7 +12,7 @@
 
 namespace sbgc::detail {
 
-/// The options of a session as it uses them: all divisions are done.
+/// The options of a session, preprocessed: all divisions are done.
 class Settings {
  public:
   Ticks late;
@@ -39,14 +39,14 @@ class Settings {
   SBGC_ALWAYS_INLINE void set_line(const LineSettings& line) noexcept {
     const std::uint32_t all = bytes_per_second(line);
     stream_limit = all / 100 * stream_percent_ + all % 100 * stream_percent_ / 100;
-    // A slower line has no use, and its product in frame_time() would not fit.
+    // Slower lines are not used, and the product in frame_time() would overflow.
     constexpr std::uint32_t slowest = 300;
     const std::uint32_t rate = line.baud_rate < slowest ? slowest : line.baud_rate;
     const std::uint32_t bits = 256 * bits_per_byte(line.parity);
     us_per_256_bytes_ = line.baud_rate == 0 ? 0 : bits * 1'000'000 / rate;
   }
 
-  /// As wire_time(), to a microsecond, for one frame.
+  /// Like wire_time(), to a microsecond, for one frame.
   Ticks frame_time(std::size_t frame_size) const noexcept {
     return (static_cast<Ticks>(frame_size) * us_per_256_bytes_ + 255) / 256;
   }

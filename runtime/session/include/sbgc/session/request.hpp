@@ -40,7 +40,7 @@ struct SessionRequest {
   Ticks duplicate_left{};  // until the last confirmation cannot arrive again
   Instant deadline{};
   Handle handle{};          // 0 if free
-  ResponsePolicy policy{};  // its `stream` is a change that the session has noted, or none
+  ResponsePolicy policy{};  // its `stream` is a change that the session has recorded, or none
   std::array<std::uint8_t, body_capacity> body{};
 
   constexpr bool is_open() const noexcept { return state != RequestState::free; }
@@ -61,8 +61,8 @@ struct SessionRequest {
     return is_older_than(other.handle);
   }
 
-  /// Returns true if a response, or an error, that can belong to both belongs to this one: the
-  /// board answers in order, but ends what takes long later than it begins, or refuses, the next.
+  /// Returns true if this request gets a response, or an error, that can belong to both: the board
+  /// answers in order, but a long operation ends after the next one has begun or was refused.
   constexpr bool is_answered_before(const SessionRequest& other, bool is_error) const noexcept {
     if (confirmations != other.confirmations) return confirmations < other.confirmations;
     return is_older_than(other.handle) != (is_error && policy.is_answered_at_end());
@@ -79,7 +79,7 @@ struct SessionRequest {
     const bool may_be_confirmed = policy.responses.confirmed != Confirmed::never;
     awaits_response = is_certain || (options.expect_confirmation && may_be_confirmed);
     if (options.attempts != 0) most_attempts = options.attempts;
-    // A merely possible confirmation may be missing, which alone is no reason to resend.
+    // A merely possible confirmation may be missing, which is no reason to resend.
     const bool is_resent = is_certain || (awaits_response && options.repeat_unconfirmed);
     attempts = is_resent && policy.retry_is_safe && most_attempts != 0 ? most_attempts : 1;
     transmissions = confirmations = 0;

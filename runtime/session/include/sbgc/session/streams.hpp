@@ -30,19 +30,19 @@ constexpr std::uint32_t saturated_sum(std::uint32_t a, std::uint32_t b) noexcept
   return b < room ? a + b : a + room;
 }
 
-/// Whether a request may be sent while streams of its answer's message are running.
+/// Tells whether a request may be sent while streams of its answer's message are running.
 enum class Gate : std::uint8_t {
   open,
   wait,    ///< until after the next sample
   sample,  ///< not at all: the next sample answers it
-  closed,  ///< the answer could never be told from a sample
+  closed,  ///< the answer would always be indistinguishable from a sample
 };
 
-/// The samples of a running stream on the line, and the answer of the same size that comes among
-/// them: it is known by its time, before the next sample can arrive.
+/// The sample times of a running stream, and an answer of the same size among the samples: it is
+/// recognized by its time, before the next sample can arrive.
 class SampleTimes {
  public:
-  /// A new interval counts.
+  /// Starts with a new interval.
   constexpr void start(Ticks interval) noexcept {
     interval_ = interval;
     age_ = spread_ = 0;
@@ -72,26 +72,26 @@ class SampleTimes {
     return doubt_left_ != 0 ? shorter(doubt_left_, silent) : silent;
   }
 
-  /// An answer is expected before the next sample, and possible for so long.
+  /// Expects an answer before the next sample; it is possible for this long.
   constexpr void expect(Ticks late_left) noexcept {
     doubt_left_ = late_left;
     frames_ = 0;
     is_answered_ = false;
   }
-  /// The request left late.
+  /// Extends the time of the answer, because the request left late.
   constexpr void prolong(Ticks late_left) noexcept {
     if (doubt_left_ != 0) doubt_left_ = longer(doubt_left_, late_left);
   }
-  /// No such answer comes any more.
+  /// Stops expecting an answer.
   constexpr void expect_none() noexcept { is_answered_ = true; }
 
-  /// Takes a frame that can be a sample.
+  /// Classifies a frame that can be a sample.
   constexpr Sample take() noexcept {
     if (doubt_left_ != 0) {
       const Ticks samples = is_known_ ? (age_ + interval_ - gap()) / interval_ : never;
       if (samples == 0) return std::exchange(is_answered_, true) ? Sample::doubtful : Sample::no;
       if (!is_answered_) {
-        // One more than there can be samples: the answer was among them.
+        // There is one more than there can be samples: the answer was among them.
         if (frames_ >= samples) doubt_left_ = 0;
         ++frames_;
         return Sample::doubtful;
@@ -99,7 +99,7 @@ class SampleTimes {
       doubt_left_ = 0;
     }
     if (is_silent()) start(interval_);
-    // Lines delay samples differently. age_ counts from the earliest time at which the last one can
+    // Lines delay samples unevenly. age_ counts from the earliest time at which the last sample can
     // have arrived; it forgets an eighth of each delay, because clocks differ.
     Ticks delay = age_ % interval_;
     const bool is_early = age_ < interval_ || delay > longest_gap();
@@ -151,8 +151,8 @@ class Streams {
     return SendStatus::ok;
   }
 
-  /// Records a requested change that check() allows. Returns false if there is no room, because the
-  /// change ends an unknown stream; settle() must not be called for it then.
+  /// Records a requested change that check() allows. Returns false if there is no room, which means
+  /// that the change ends an unknown stream; settle() must not be called for it then.
   constexpr bool ask(const StreamChange& change) noexcept {
     const std::size_t place = find(change);
     if (place == capacity) return false;
@@ -196,7 +196,7 @@ class Streams {
     for (std::size_t i = 0; i < size_; ++i) streams_[i].times.pass(elapsed);
   }
 
-  /// Returns whether a request may be sent that takes `needed`, with its answer, and would wait for
+  /// Returns whether a request may be sent that takes `needed`, including its answer, and has this
   /// `timeout`.
   constexpr Gate gate(const ResponsePolicy& policy, Ticks needed, Ticks timeout) const noexcept {
     Gate gate = Gate::open;
@@ -217,26 +217,26 @@ class Streams {
     return left;
   }
 
-  /// The request was sent; its answer is possible for so long.
+  /// Records that the request was sent; its answer is possible for this long.
   constexpr void expect(const ResponsePolicy& policy, Ticks late_left) noexcept {
     for (std::size_t i = 0; i < size_; ++i) {
       if (streams_[i].can_hide(policy)) streams_[i].times.expect(late_left);
     }
   }
-  /// The request left late.
+  /// Extends the time of the answer, because the request left late.
   constexpr void prolong(const ResponsePolicy& policy, Ticks late_left) noexcept {
     for (std::size_t i = 0; i < size_; ++i) {
       if (streams_[i].can_hide(policy)) streams_[i].times.prolong(late_left);
     }
   }
-  /// The request has ended: it has no answer any more.
+  /// Records that the request has ended: no answer is expected any more.
   constexpr void expect_none(const ResponsePolicy& policy) noexcept {
     for (std::size_t i = 0; i < size_; ++i) {
       if (streams_[i].can_hide(policy)) streams_[i].times.expect_none();
     }
   }
 
-  /// Returns what a frame is; `no` if it has not the size of a sample.
+  /// Classifies a frame; `no` if it does not have the size of a sample.
   constexpr Sample take(const Frame& frame) noexcept {
     taken_ = size_;
     for (std::size_t i = 0; i < size_; ++i) {
@@ -248,8 +248,8 @@ class Streams {
     }
     return taken_ == size_ ? Sample::no : streams_[taken_].times.take();
   }
-  /// Takes a frame that take() has not, and that answers nothing: the first sample, of another size
-  /// than documented, or one after a silence.
+  /// Accepts a frame that take() has rejected, and that answers nothing: the first sample, with a
+  /// size other than documented, or one after a silence.
   constexpr Sample adopt(const Frame& frame) noexcept {
     Stream* found = nullptr;
     for (std::size_t i = 0; i < size_; ++i) {

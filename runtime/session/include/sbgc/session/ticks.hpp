@@ -9,12 +9,12 @@
 
 namespace sbgc::detail {
 
-/// A time span in microseconds, up to 71 minutes. A timer is the span that is left: it ends at 0.
-/// So a small microcontroller adds and compares 32 bits, and a timer never wraps however late it is
+/// A time span in microseconds, up to 71 minutes. A timer is the remaining span: it ends at 0. So a
+/// small microcontroller adds and compares 32 bits, and a timer never wraps however late it is
 /// read.
 using Ticks = std::uint32_t;
 
-/// A timer that does not run.
+/// A timer that is not running.
 inline constexpr Ticks never = std::numeric_limits<Ticks>::max();
 
 /// The longest timeout of a response, and the longest of any other duration. The sum of one of each

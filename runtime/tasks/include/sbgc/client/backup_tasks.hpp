@@ -15,11 +15,11 @@
 /// `copy` is the profile, counted from 0. `details` and `serial_number` are absent if the board
 /// does not report them.
 ///
-/// Edits are noticed if they concern the identity of the board or `contents`: the CRC-32 of the
-/// two is `checksum`. Values of parameters may be edited, in `body` and `fields` alike, but not the
-/// names of fields, whose CRC-32 is `names`. What was removed from `settings` is Backup::missing.
-/// Files of version 0.1.0 have no `contents` and `checksum`, so only left_alone() tells what they
-/// may have lost, and files of early versions no `names`.
+/// Edits of the identity of the board or of `contents` are detected: `checksum` is the CRC-32 of
+/// the two. Values of parameters may be edited, in `body` and `fields` alike, but not the names of
+/// fields, whose CRC-32 is `names`. Blocks removed from `settings` are in Backup::missing. Files of
+/// version 0.1.0 have no `contents` and `checksum`, so only left_alone() shows what may be missing,
+/// and files of early versions have no `names`.
 ///
 /// Restored parameters take effect at once, and the camera can move. See docs/2-safety.md.
 #pragma once
@@ -44,7 +44,7 @@ struct Backup {
   BoardIdentity board{};      ///< the board that had them
   ParameterSet parameters{};  ///< every block that the board has
   std::string created{};      ///< UTC, e.g. "2024-05-01T12:00:00Z"
-  /// Parameter sets that the file lists but does not hold, because somebody removed them.
+  /// Parameters that the file lists but does not hold, because somebody removed them.
   std::vector<ParametersId> missing{};
 };
 
@@ -52,7 +52,7 @@ struct Backup {
 std::string to_json_text(const Backup& backup);
 
 /// Parses the content of a backup file. The JsonLimits of <sbgc/parse_json.hpp> apply: 16 MiB, 64
-/// levels. Errors: `bad_file`, which names the place, if anything is missing, unknown,
+/// levels. Errors: `bad_file`, which names the position, if anything is missing, unknown,
 /// contradictory or duplicated; `incompatible` if the format is newer.
 Result<Backup> parse_backup(std::string_view text);
 
@@ -77,15 +77,15 @@ struct RestoreOptions {
   bool allow_other_firmware = false;  ///< the same for the firmware alone
   /// Restore what the backup holds even if Backup::missing is not empty.
   bool allow_partial = false;
-  /// Reject values that the protocol does not allow, as write_parameters() does: for parameters
-  /// that no board held before.
+  /// Reject values that the protocol does not allow, as write_parameters() does; useful for
+  /// parameters that no board held before.
   bool validate = false;
-  /// For the whole operation.
+  /// The timeout of the whole operation.
   std::chrono::milliseconds timeout{180'000};
   ProgressHandler progress{};  ///< returning false ends it with ErrorCode::cancelled
 };
 
-/// Says whether restore() takes a backup of that board for this one. Errors: `incompatible`.
+/// Checks whether restore() accepts a backup of that board for this one. Errors: `incompatible`.
 Result<void> check_fit(const BoardIdentity& board, const BoardIdentity& backup,
                        const RestoreOptions& options);
 
@@ -95,11 +95,11 @@ namespace tasks {
 /// Errors: those of read_parameters().
 Task<Result<Backup>> make_backup(std::string created, ReadOptions options = {});
 
-/// Sets the parameters of the board to those of a backup; others keep their values. Writes as
-/// write_parameters() does, but by default does not validate values, because a board held them
-/// before. Errors, in WriteReport::outcome: `bad_file` if parameters are missing, or if there are
-/// none at all; `incompatible` as check_fit(); `invalid` without RestoreOptions::save_current,
-/// whose own errors end it; and those of write_parameters().
+/// Sets the parameters of the board to those of a backup; others keep their values. Writes like
+/// write_parameters(), but by default does not validate values, because a board held them before.
+/// Errors, in WriteReport::outcome: `bad_file` if parameters are missing, or if there are none at
+/// all; `incompatible` like check_fit(); `invalid` without RestoreOptions::save_current; the errors
+/// of that; and those of write_parameters().
 Task<WriteReport> restore(Backup backup, RestoreOptions options = {});
 
 }  // namespace tasks

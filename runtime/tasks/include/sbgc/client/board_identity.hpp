@@ -9,12 +9,12 @@
 
 namespace sbgc {
 
-/// The report of a board about itself when the client connects.
+/// The identity that a board reports when the client connects.
 struct BoardIdentity {
   msg::BoardInfo info{};                     ///< board, firmware, features
   std::optional<msg::BoardInfo3> details{};  ///< only of boards that have serial numbers
 
-  /// Its versions, and which features it lacks.
+  /// Its versions, and the features that it lacks.
   constexpr Availability versions() const noexcept {
     Availability result = versions_of(info);
     if (details) result.features |= lacking_features(*details);
@@ -26,7 +26,7 @@ struct BoardIdentity {
   std::string firmware_version() const;
   /// For example "3.0".
   std::string board_version() const;
-  /// What it means if the version is no real one: "unknown; the sensors are often unplugged" for
+  /// The explanation of an implausible version: "unknown; the sensors are often unplugged" for
   /// 0.00; otherwise "".
   std::string firmware_problem() const;
   /// The serial number in hex digits; "" if the board does not report one.

@@ -1,8 +1,8 @@
-/// Recording of a frequency response: what goes into an axis and what comes out.
+/// Recording of a frequency response: the input and the output of an axis.
 ///
 /// A recording moves the camera, and the protocol cannot stop it: it ends after its last sample, or
-/// when the motors turn off. See docs/2-safety.md. <sbgc/analysis/frequency_response.hpp> makes
-/// gain and phase of it.
+/// when the motors turn off. See docs/2-safety.md. <sbgc/analysis/frequency_response.hpp> computes
+/// gain and phase from it.
 #pragma once
 
 #include <chrono>
@@ -19,22 +19,22 @@
 
 namespace sbgc {
 
-/// Samples of a recording per second.
+/// The number of samples per second.
 inline constexpr double bode_sample_rate = 1250;
 
-/// The number of samples in a time, rounded to the nearest.
+/// The number of samples in a time span, rounded to the nearest.
 constexpr std::uint32_t bode_samples(double seconds) noexcept {
-  const double doubled = 2 * seconds * bode_sample_rate;  // no lround() in a constant
+  const double doubled = 2 * seconds * bode_sample_rate;  // lround() is not constexpr
   return (static_cast<std::uint32_t>(doubled) + 1) / 2;
 }
 
 /// A recording. A sample that was lost is NaN in both signals.
 struct BodeRecording {
   msg::BodeTestStartStopRequest request{};  ///< what was recorded
-  std::vector<double> input{};              ///< in a unit that the board does not tell
-  std::vector<double> output{};             ///< as many as of the input
+  std::vector<double> input{};              ///< in a unit that the board does not report
+  std::vector<double> output{};             ///< as many as in the input
   std::size_t lost{};                       ///< samples
-  /// The message of the end was lost: the board may have reported an error there.
+  /// The final message was lost: the board may have reported an error in it.
   bool is_end_lost{};
 };
 
@@ -49,7 +49,7 @@ struct BodeProgress {
 
 /// Options of record_bode().
 struct BodeOptions {
-  /// How often `progress` is called.
+  /// The interval between calls of `progress`.
   std::chrono::milliseconds interval{200};
   /// Returning false ends the wait with ErrorCode::cancelled, but the board goes on.
   std::function<bool(const BodeProgress&)> progress{};
@@ -58,11 +58,11 @@ struct BodeOptions {
 namespace tasks {
 
 /// Records a frequency response. The line is ready for the samples before the board can send the
-/// first one. Lost messages leave a gap; if more is missing than the counter of the samples can
-/// show, the recording fails. The error says whether the motion had started.
+/// first one. Lost messages leave a gap; if more is missing than the sample counter can show, the
+/// recording fails. The error says whether the motion had started.
 ///
-/// Messages do not say to which recording they belong. So the start is sent only after 250 ms
-/// without those of an earlier one; if they do not end within a second, the task fails with
+/// Messages do not identify their recording. So the start is sent only after 250 ms without
+/// messages of an earlier one; if they do not end within a second, the task fails with
 /// ErrorCode::board_error. Errors: those of Client::call(); `invalid` without samples,
 /// `bad_response` if too many are lost.
 Task<Result<BodeRecording>> record_bode(msg::BodeTestStartStopRequest request,

@@ -1,8 +1,7 @@
 /// Calibration of sensors, encoders and motors.
 ///
 /// A calibration replaces the stored one and can move the camera. Hold the camera as the
-/// calibration requires, which MessageInfo::preparation of its request says, and see
-/// docs/2-safety.md.
+/// calibration requires, see MessageInfo::preparation of its request, and read docs/2-safety.md.
 #pragma once
 
 #include <chrono>
@@ -33,9 +32,9 @@ struct CalibrationOptions {
   /// Actions that only manage calibrations and restart the board end with their confirmation. All
   /// others are confirmed at the start and at the end.
   msg::CalibAction action = msg::CalibAction::regular;
-  /// For the whole operation; by default, the timeout that the protocol specifies.
+  /// The timeout of the whole operation; by default, the one that the protocol specifies.
   std::optional<std::chrono::milliseconds> timeout{};
-  /// How often to poll the state of the board during calibration; only if `progress` is set.
+  /// The interval for polling the board's state during calibration; only if `progress` is set.
   std::chrono::milliseconds interval{500};
   /// Called when the calibration has started and after each poll. Returning false ends the wait
   /// with ErrorCode::cancelled, but the board continues: the protocol cannot stop a calibration.
@@ -48,14 +47,14 @@ enum class CalibrationEnd : std::uint8_t {
   accepted,  ///< the board has accepted it, and does not report the end
 };
 
-/// The directions of the accelerometer that are calibrated, such as "+X, -Z", or "none".
+/// The calibrated directions of the accelerometer, such as "+X, -Z", or "none".
 std::string calibrated_positions(const msg::CalibInfo& state);
-/// The positions that are not; "" if all six are.
+/// The missing positions; "" if all six are calibrated.
 std::string missing_positions(const msg::CalibInfo& state);
 
 namespace detail {
 
-/// Starts the request of a calibration; returns the number of the call.
+/// Sends the request of a calibration; returns the id of the call.
 using StartCalibration = std::function<CallId(TaskMachine& task)>;
 
 Task<Result<CalibrationEnd>> run_calibration(StartCalibration start, bool reports_end,
@@ -72,8 +71,8 @@ namespace tasks {
 Task<Result<void>> calibrate(Sensor sensor, CalibrationOptions options = {});
 
 /// The same with the request of any calibration, such as msg::CalibPoles{} or msg::CalibBat{}.
-/// `options.imu` and `options.action` only select what is polled for the progress; the request says
-/// what to calibrate. Errors: those of calibrate().
+/// `options.imu` and `options.action` only select what is polled for the progress; the request
+/// selects the calibration. Errors: those of calibrate().
 template <Message M>
 Task<Result<CalibrationEnd>> run_calibration(M request, const CalibrationOptions& options = {}) {
   return detail::run_calibration(

@@ -10,11 +10,11 @@ namespace sbgc {
 /// A request that starts a calibration.
 struct CalibrationForm {
   const MessageInfo* info{};  ///< of the request
-  bool has_action{};          ///< what to do, and on which IMU
+  bool has_action{};          ///< it has an action and an IMU
 };
 
 /// The conditions of a calibration, as far as live data show them. MessageInfo::preparation
-/// says everything in words.
+/// describes all of them in words.
 struct CalibrationConditions {
   bool motors_off{};       ///< the motors must be off
   bool still{};            ///< the sensor must not move
@@ -28,8 +28,8 @@ struct CalibrationConditions {
 struct Calibration {
   const char* name = "";                 ///< for people
   std::vector<CalibrationForm> forms{};  ///< the requests that start it
-  bool needs_values = false;             ///< without them, the request means nothing
-  CalibrationConditions conditions{};    ///< what it expects of the gimbal
+  bool needs_values = false;             ///< without them, the request is meaningless
+  CalibrationConditions conditions{};    ///< the conditions of the gimbal
 
   /// Returns its simplest request.
   const MessageInfo& info() const { return *forms.front().info; }

@@ -48,7 +48,7 @@ struct Delivered<Maybe<Response>> {
 
 template <class M>
 struct ResponseTo : Delivered<typename M::Response> {};
-/// A mistake, which Conversation::prepare() reports.
+/// A misuse, which Conversation::prepare() reports.
 template <Message M>
   requires(M::direction == Direction::from_board)
 struct ResponseTo<M> {
@@ -65,8 +65,7 @@ using CallResponse = typename ResponseTo<M>::type;
 
 }  // namespace detail
 
-/// A message that can be sent as a request: a message, also one whose type is known only at run
-/// time.
+/// A message that can be sent as a request, including one whose type is known only at run time.
 template <class M>
 concept Callable = Message<M> || std::same_as<M, AnyMessage>;
 

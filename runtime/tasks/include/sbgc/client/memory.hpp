@@ -2,8 +2,8 @@
 ///
 /// Arguments are checked before anything is sent. Transfers use whole pages that fit into a
 /// message, and writes are verified by reading back. While the board answers in the first framing,
-/// whose sums let some damage pass, what is read from the EEPROM or kept of the user data counts
-/// only once two answers agree. Error codes of the board are translated to sentences.
+/// whose checksums miss some damage, data that are read from the EEPROM or kept of the user data
+/// count only once two answers agree. Error codes of the board are translated to sentences.
 #pragma once
 
 #include <chrono>
@@ -19,14 +19,14 @@ namespace sbgc {
 
 /// Options of a memory transfer. Progress counts bytes.
 struct TransferOptions {
-  /// For the whole transfer.
+  /// The timeout of the whole transfer.
   std::chrono::milliseconds timeout{120'000};
   /// Read back the written data.
   bool verify = true;
   ProgressHandler progress{};  ///< returning false ends it with ErrorCode::cancelled
 };
 
-/// The size of the memory that a board has for programs of users, in bytes.
+/// The size of the memory area that a board reserves for user data, in bytes.
 inline constexpr std::size_t user_data_size = decltype(msg::ReadExternalData::data){}.size();
 
 namespace tasks {

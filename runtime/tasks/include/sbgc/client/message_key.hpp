@@ -1,4 +1,4 @@
-/// Keys by which subscribers choose messages of the board.
+/// Keys with which subscribers select messages of the board.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ struct MessageKey {
 template <Message M>
 inline constexpr MessageKey key_of{static_cast<std::uint8_t>(M::command), M::form};
 
-/// Takes the decoded message of the subscribed key.
+/// A callback with the decoded message of the subscribed key.
 using MessageHandler = std::function<void(const void* message)>;
 
 /// Wraps a typed handler.

@@ -25,16 +25,16 @@ struct MoveProgress {
 struct MoveOptions {
   /// The speed, without a sign; 0 selects the speed in the board's parameters.
   msg::ControlSpeed speed{};
-  /// For the whole move. Stopping a camera that has not arrived by then takes longer.
+  /// The timeout of the whole move. Stopping a camera that has not arrived by then takes longer.
   std::chrono::milliseconds timeout{30'000};
   /// The largest deviation from the target at which an axis counts as arrived, in degrees.
   double tolerance = 0.5;
-  /// How long all axes must stay within the tolerance.
+  /// The time that all axes must stay within the tolerance.
   std::chrono::milliseconds settle{300};
-  /// How often to poll the angles.
+  /// The interval for polling the angles.
   std::chrono::milliseconds interval{50};
-  /// Stop the camera if it does not arrive: on a timeout, cancellation or error, but not if it is
-  /// in other hands. This takes up to StopOptions::timeout more.
+  /// Stop the camera if it does not arrive: on a timeout, cancellation or error, but not if
+  /// something else controls it. This takes up to StopOptions::timeout more.
   bool stop_on_failure = true;
   /// Called after each poll. Returning false cancels the move.
   std::function<bool(const MoveProgress&)> progress{};
@@ -42,13 +42,13 @@ struct MoveOptions {
 
 /// Options of stop().
 struct StopOptions {
-  /// For the whole stop, with the rest.
+  /// The timeout of the whole stop, including the rest.
   std::chrono::milliseconds timeout{3'000};
-  /// How long the board must report speed 0.
+  /// The time for which the board must report speed 0.
   std::chrono::milliseconds rest{500};
-  /// How often to poll the speed, and to repeat the command while the camera turns.
+  /// The interval for polling the speed, and for repeating the command while the camera turns.
   std::chrono::milliseconds interval{50};
-  /// Send nothing to a camera that stands: serial control would take it from RC.
+  /// Send nothing to a camera that stands still: serial control would take it from RC.
   bool reads_first = false;
   /// Called after each poll that shows a still camera. Returning false ends the wait for its rest.
   std::function<bool()> goes_on{};
@@ -60,14 +60,14 @@ namespace tasks {
 /// state; the error says how far the move got. Axes without a target stay under, or return to, RC
 /// control; firmware before 2.55b5 holds them at their current targets.
 ///
-/// The command is repeated for at most 400 ms, and only while nothing shows that the board has it:
-/// no confirmation, no speed, the same target as before. Then:
+/// The command is repeated for at most 400 ms, and only while nothing shows that the board has
+/// received it: no confirmation, no speed, the same target as before. Then:
 /// - A camera that stands off the target for 500 ms, and whose board no longer has this target, has
-///   been stopped or moved by somebody else: ErrorCode::interrupted.
+/// been stopped or moved by something else: ErrorCode::interrupted.
 /// - A stop, the end of serial control, a reset or another motion of this client, begun later, ends
 ///   the move: ErrorCode::superseded.
-/// In both cases the move sends nothing more, not even a stop. A camera that an obstacle keeps off
-/// the target is given until the timeout.
+/// In both cases the move sends nothing more, not even a stop. If an obstacle keeps the camera off
+/// the target, the move waits until the timeout.
 ///
 /// Angles cover two full turns in each direction: 370 degrees is a different target from 10.
 ///
@@ -81,19 +81,19 @@ Task<Result<MoveProgress>> move_to(MoveTarget target, MoveOptions options = {});
 Task<Result<MoveProgress>> begin_move(MoveTarget target, MoveOptions options = {});
 
 /// Stops all axes where they are, and succeeds when the board has reported speed 0 for each for
-/// StopOptions::rest; until then, it stops again what turns. A later motion of this client ends it
-/// with ErrorCode::superseded. If the board has answered all the time and the camera still turns,
-/// somebody else turns it: ErrorCode::interrupted. Serial control remains active, with speed 0; see
-/// release(). Errors: those of Client::call(), `timeout` also if the board does not answer at all.
+/// StopOptions::rest; until then, it stops turning axes again. A later motion of this client ends
+/// it with ErrorCode::superseded. If the board has always answered and the camera still turns,
+/// something else turns it: ErrorCode::interrupted. Serial control remains active, with speed 0;
+/// see release(). Errors: those of Client::call(), `timeout` also if the board never answers.
 Task<Result<void>> stop(StopOptions options = {});
 
 /// Ends serial control and returns control to RC. Errors: those of Client::call().
 Task<Result<void>> release();
 
 /// Makes the board end serial control when it receives no control command for `timeout`, as
-/// release() does: RC takes over, which is not a stop. 0 means never; at most 65535 ms. Until the
-/// board restarts, for all ports. The board does not report its timeout, so the previous one cannot
-/// be restored. Fails with ErrorCode::unsupported before firmware 2.61.
+/// release() does: RC takes over, which is not a stop. 0 means never; at most 65535 ms. Applies to
+/// all ports until the board restarts. The board does not report its timeout, so the previous one
+/// cannot be restored. Fails with ErrorCode::unsupported before firmware 2.61.
 ///
 /// The same command turns off the low-pass filters of commanded angles and speeds, which a program
 /// may have turned on since the board started; the protocol can neither keep nor read them. All

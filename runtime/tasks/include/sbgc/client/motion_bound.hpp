@@ -1,4 +1,4 @@
-/// The bounds of a motion whose owner is silent, and its states: for SpeedControl.
+/// The bounds of a motion whose owner is silent, and the states of a SpeedControl.
 #pragma once
 
 #include <cstdint>

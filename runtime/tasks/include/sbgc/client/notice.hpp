@@ -6,7 +6,7 @@
 
 namespace sbgc {
 
-/// Something that has happened outside of any call.
+/// The kind of an event that happened outside of any call.
 enum class NoticeKind : std::uint8_t {
   board_reset,   ///< the board restarted: pending calls have failed, data streams have ended
   board_error,   ///< the board reported an error outside any call; Notice::detail is its code
@@ -14,10 +14,10 @@ enum class NoticeKind : std::uint8_t {
   unreadable,    ///< a message for a subscriber, such as a sample of a stream, does not decode;
                  ///< repeated only if the message changes
   polling,       ///< the firmware has no data streams: the client requests each message of one
-  stream_ended,  ///< only of a client that connects again: a stream could not be started again
+  stream_ended,  ///< only from a client that reconnects: a stream could not be restarted
 };
 
-/// Something that has happened outside of any call.
+/// An event that happened outside of any call.
 struct Notice {
   NoticeKind kind{};
   std::string message{};  ///< for people: a sentence without a final period

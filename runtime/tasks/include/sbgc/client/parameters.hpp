@@ -16,7 +16,7 @@
 /// have more, or keep some per profile. That is why write_parameters() reads all parameters again
 /// at the end.
 ///
-/// Damaged answers: the sums of the first framing let some damage pass (docs/3-connecting.md).
+/// Damaged answers: the checksums of the first framing miss some damage (docs/3-connecting.md).
 /// While a board answers in it, a block counts as read only once two answers agree, so that no
 /// wrong value gets into a backup, or from there or from a read-modify-write back to the board; a
 /// reading that six answers cannot settle fails with ErrorCode::mismatch. A block that reads back
@@ -57,7 +57,7 @@ struct ParametersId {
 
 /// For example "ReadParams3 of profile 2" or "ReadProfileNames".
 std::string to_text(const ParametersId& id);
-/// The same for several, with commas.
+/// The same for several, separated by commas.
 std::string to_text(const std::vector<ParametersId>& ids);
 
 /// The parameters of one message, as its body.
@@ -132,8 +132,8 @@ struct ParametersChange {
 };
 
 /// Returns the differences of two sets, field by field, in the order of `before`. Ignores fields
-/// that hold state of the board, such as the active profile. Values mean what they do on boards
-/// with these versions, of which each set is; without them the usual.
+/// that hold state of the board, such as the active profile. Values are interpreted as on boards
+/// with the versions of each set, or in the usual way without versions.
 std::vector<ParametersChange> diff(const ParameterSet& before, const ParameterSet& after,
                                    const Availability& versions_before = {},
                                    const Availability& versions_after = {});
@@ -143,17 +143,17 @@ std::string to_text(const std::vector<ParametersChange>& changes);
 
 /// Options of read_parameters().
 struct ReadOptions {
-  /// For the whole operation.
+  /// The timeout of the whole operation.
   std::chrono::milliseconds timeout{60'000};
   ProgressHandler progress{};  ///< returning false ends it with ErrorCode::cancelled
-  /// Returns true for the parameters to read; all, if it is empty.
+  /// Returns true for the parameters to read; if empty, all are read.
   std::function<bool(const ParametersId&)> wanted{};
 };
 
 /// Options of write_parameters().
 struct WriteOptions {
-  /// For the whole operation. No block is sent in the last 250 ms, because its confirmation might
-  /// not arrive in time.
+  /// The timeout of the whole operation. No block is sent in the last 250 ms, because its
+  /// confirmation might not arrive in time.
   std::chrono::milliseconds timeout{120'000};
   /// Only report what would be written.
   bool dry_run = false;
@@ -181,18 +181,18 @@ struct ParametersReport {
   ParametersState state = ParametersState::unwritten;  ///< what is known of the board
   /// The wanted changes, relative to the previous parameters of the board.
   std::vector<FieldChange> wanted{};
-  /// How the values on the board differ from the wanted ones, if the state is `different`.
+  /// The differences between the board and the wanted values, if the state is `different`.
   std::vector<FieldChange> deviation{};
 };
 
 /// The report of write_parameters(), also after a failure.
 struct WriteReport {
   WriteReport() = default;
-  /// For a failure before anything was done.
+  /// Converts an error that occurred before anything was done.
   // NOLINTNEXTLINE(google-explicit-constructor): `return error;`
   WriteReport(ClientError error) : outcome(std::move(error)) {}
 
-  /// Success if the board holds all wanted parameters, or would after a dry run.
+  /// Success if the board holds all wanted parameters, or would hold them after a dry run.
   Result<void> outcome{};
   std::vector<ParametersReport> parameters{};  ///< one for each wanted block
 

@@ -1,11 +1,11 @@
-/// The client without threads, clocks and I/O, for programs that have their own: a simulation, a
+/// The client without threads, clocks and I/O, for programs that bring their own: a simulation, a
 /// test in virtual time, a browser.
 ///
 ///     sbgc::PassiveClient client;
 ///     client.connect([&](const sbgc::Result<void>& connected) { ... });
 ///     client.start(sbgc::tasks::move_to({.yaw = 30_deg}), [&](const auto& moved) { ... });
 ///
-/// Its owner passes it what arrives, and sends what it returns:
+/// Its owner passes received bytes to it, and sends the bytes that it returns:
 ///
 ///     if (const auto bytes = client.advance(now); !bytes.empty()) {
 ///       line.write(bytes);
@@ -41,33 +41,33 @@ namespace sbgc {
 /// inside the functions that take a time. Not thread-safe.
 class PassiveClient {
  public:
-  /// The options of opening a line have no effect: `timeout`, `detect_line`, `capture` and `wrap`.
+  /// The options for opening a line have no effect: `timeout`, `detect_line`, `capture` and `wrap`.
   /// `line_may_repeat` says that the line, such as UDP, may deliver bytes twice.
   explicit PassiveClient(const ConnectOptions& options = {}, bool line_may_repeat = false);
   PassiveClient(const PassiveClient&) = delete;
   PassiveClient& operator=(const PassiveClient&) = delete;
   ~PassiveClient();
 
-  /// Changes the line to these settings and discards what has arrived; returns false if it cannot.
+  /// Applies these settings to the line and discards received bytes; returns false if it cannot.
   using SetLine = std::function<bool(const LineSettings&)>;
   /// Searches for the line settings at which the board answers, as Detector does, and keeps them.
-  /// Precedes everything else. Errors: `not_found`; it can be called again then.
+  /// Must precede everything else. Errors: `not_found`; it can be called again then.
   void detect_line(SetLine set_line, std::function<void(const Result<void>&)> done);
-  /// Says which settings the line has, which pacing and timeouts depend on.
+  /// Sets the settings of the line, on which pacing and timeouts depend.
   void set_line(const LineSettings& line);
-  /// Asks the board for its identity, with the password if there is one, and changes to its newest
-  /// framing if the board answers in it. Tasks that start before it is known fail for boards and
-  /// firmware that lack a command. Errors: those of Client::call().
+  /// Reads the board's identity, sending the password first if there is one, and changes to its
+  /// newest framing if the board answers in it. Tasks that start before the identity is known fail
+  /// for boards and firmware that lack a command. Errors: those of Client::call().
   void connect(std::function<void(const Result<void>&)> done);
   /// Returns the identity of the board; empty before connect() has succeeded.
   const BoardIdentity& identity() const noexcept;
-  /// Counters since it was made.
+  /// Counters since construction.
   SessionStatistics statistics() const noexcept;
-  /// Sets an identity that is known otherwise.
+  /// Sets an identity that is known from elsewhere.
   void set_identity(const BoardIdentity& board);
 
-  /// Starts a task, which runs beside others; calls `done(result)` at its end. What it returns is
-  /// valid until then; call advance() after changing it.
+  /// Starts a task, which runs concurrently with others; calls `done(result)` at its end. The
+  /// returned task is valid until then; call advance() after changing it.
   template <class R, class Done>
   TaskMachine& start(Task<R> task, Done done) {
     const auto own = std::make_shared<Task<R>>(std::move(task));
@@ -82,17 +82,17 @@ class PassiveClient {
   }
   /// Calls `handler` for all other events: resets, errors.
   Subscription on_notice(std::function<void(const Notice&)> handler);
-  /// Calls `handler` with every frame that the board sends, also with those of unknown messages.
+  /// Calls `handler` with every frame that the board sends, including unknown messages.
   Subscription on_frame(std::function<void(const BoardFrame&)> handler);
 
   /// Takes bytes from the board.
   void receive(std::span<const std::uint8_t> bytes, Instant now);
-  /// Runs the tasks as far as possible. Returns the bytes to send, valid until the next call; until
-  /// written() there are no others.
+  /// Runs the tasks as far as possible. Returns the bytes to send, valid until the next call; no
+  /// more bytes are returned until written() is called.
   std::span<const std::uint8_t> advance(Instant now);
   /// Reports that the bytes of advance() have been sent.
   void written(Instant now);
-  /// When to call advance() at the latest; if it has more to do at once, the time of the last call.
+  /// The latest time for the next call of advance(); the time of the last call if work is pending.
   Instant deadline() const noexcept;
 
   class State;

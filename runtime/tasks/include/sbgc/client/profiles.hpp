@@ -20,13 +20,13 @@ inline constexpr std::size_t profile_name_size =
 /// One name for each profile.
 struct ProfileNames : std::array<std::string, profile_count> {};
 
-/// Says whether a profile can have this name; names are never truncated. Errors: `invalid` for too
-/// many bytes, invalid UTF-8, or a NUL.
+/// Checks whether a profile can have this name; names are never truncated. Errors: `invalid` for
+/// too many bytes, invalid UTF-8, or a NUL.
 Result<void> check_profile_name(std::string_view name);
 
 namespace tasks {
 
-/// Returns the profile that the board works with, counted from 0. Errors: those of Client::call().
+/// Returns the active profile of the board, counted from 0. Errors: those of Client::call().
 Task<Result<std::size_t>> active_profile();
 
 /// Returns the names on the board, without padding. Bytes that are not UTF-8 are kept.

@@ -13,11 +13,11 @@
 
 namespace sbgc {
 
-/// A request whose body is encoded already.
+/// A request whose body is already encoded.
 struct RawRequest {
   std::uint8_t id{};
   std::vector<std::uint8_t> body{};  ///< at most max_body_size bytes
-  ResponsePolicy policy{};           ///< what answers it, and how long that may take
+  ResponsePolicy policy{};           ///< its response, and the timeout for it
   std::uint16_t host{};              ///< whose request it is; see SendOptions::host
   /// Called on the client's thread with each frame from the board that belongs to this request: its
   /// response, its confirmations, and errors.
@@ -25,15 +25,15 @@ struct RawRequest {
 };
 
 /// Returns a request with the policy of its message, also if it has more bytes than boards know,
-/// which they ignore (see <sbgc/surplus.hpp>). A request that no message describes is sent
-/// once, and any body with the same id, or a confirmation, is its response. Errors:
-/// `invalid` if the body is too long or the id is 0.
+/// which they ignore (see <sbgc/surplus.hpp>). A request that no message describes is sent once,
+/// and any body with the same id, or a confirmation, is its response. Errors: `invalid` if the body
+/// is too long or the id is 0.
 Result<RawRequest> raw_request(std::uint8_t id, std::span<const std::uint8_t> body);
 
 /// A frame from the board.
 struct BoardFrame {
   Frame frame{};           ///< a view, valid during the call
-  bool belongs_to_call{};  ///< of this client
+  bool belongs_to_call{};  ///< it belongs to a call of this client
   bool is_late{};          ///< the response to a call that has ended
   Sample sample{};         ///< whether it is a sample of a data stream
 };

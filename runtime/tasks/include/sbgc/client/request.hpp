@@ -37,7 +37,7 @@ struct Request {
   std::uint16_t host{};
   bool is_motion{};          ///< it commands motion and does nothing else, or stops all
   const char* command = "";  ///< for example "CMD_CONTROL"
-  /// Stores the facts of the request that decoding later messages needs; empty for most.
+  /// Stores the facts of the request that decoding later messages needs; empty for most requests.
   std::function<void(Contexts&)> teach{};
   /// If set, the request tries this framing; see BasicSession::try_framing().
   std::optional<Framing> tried_framing{};
@@ -49,8 +49,8 @@ struct Request {
 ResponsePolicy policy_of(const AnyMessage& message);
 
 /// Encodes a request, with its surplus, for a board with these versions. Fails if the board does
-/// not have the command or, if `validate`, does not allow a value; fails for a message from the
-/// board. If the board takes another form of the message, encodes that one.
+/// not have the command, if `validate` is set and the board does not allow a value, and for a
+/// message that only boards send. If the board takes another form of the message, encodes that one.
 Result<Request> prepare(const AnyMessage& message, const Availability& versions, bool validate);
 
 /// The same for a message of this type, without surplus.
@@ -62,8 +62,8 @@ Result<Request> prepare(const M& message, const Availability& versions, bool val
   return prepare(message_type<M>(), &message, versions, validate);
 }
 
-/// Returns the error if a board with these versions does not have this message, of which it would
-/// have to send a data stream.
+/// Returns the error if a board with these versions does not have this message, and so cannot send
+/// a data stream of it.
 std::optional<ClientError> stream_refusal(const MessageType& type, const Availability& versions);
 
 }  // namespace detail

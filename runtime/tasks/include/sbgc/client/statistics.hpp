@@ -10,13 +10,13 @@ namespace sbgc {
 
 /// The quality of the line from the board, by its counters: shares of its frames, 0 to 1.
 struct LineQuality {
-  double damaged{};  ///< frames whose damage was noticed; they are missing
-  /// An estimate of the frames whose damage no check notices, so that their values are wrong. It
-  /// assumes single wrong bits; lost and repeated bytes pass the checks more often.
+  double damaged{};  ///< detectably damaged frames; they are missing
+  /// An estimate of the frames with undetected damage, whose values are wrong. It assumes single
+  /// bit errors; lost and repeated bytes pass the checks more often.
   double undetected{};
 };
 
-/// Returns what the counters of a session say about the line.
+/// Returns the line quality that the counters of a session show.
 inline LineQuality line_quality(const SessionStatistics& statistics) noexcept {
   const ParserCounters& parser = statistics.parser;
   const auto noticed = static_cast<double>(parser.body_errors + parser.incomplete);
@@ -24,14 +24,14 @@ inline LineQuality line_quality(const SessionStatistics& statistics) noexcept {
   LineQuality result;
   if (all == 0) return result;
   result.damaged = noticed / all;
-  // Two wrong bits that cancel out in the sums, as measured (bench/line_errors); a CRC-16 misses
-  // one damaged frame in 65536.
+  // Two bit errors that cancel out in the checksums, as measured (bench/line_errors); a CRC-16
+  // misses one damaged frame in 65536.
   result.undetected = has_only_sums(statistics.framing) ? result.damaged * result.damaged / 32
                                                         : result.damaged / 65536;
   return result;
 }
 
-/// Counters of a client since it was made.
+/// Counters of a client since its construction.
 struct ClientStatistics {
   std::uint64_t calls{};        ///< started
   std::uint64_t failures{};     ///< ended with an error

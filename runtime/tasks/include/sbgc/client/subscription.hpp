@@ -27,7 +27,7 @@ class [[nodiscard]] Subscription {
   explicit Subscription(std::unique_ptr<Registration> registration) noexcept
       : registration_(std::move(registration)) {}
 
-  /// Ends it now; no handler runs afterwards.
+  /// Ends the subscription now; no handler runs afterwards.
   void cancel() noexcept { registration_.reset(); }
   /// True until it is canceled; false for an empty one.
   explicit operator bool() const noexcept { return registration_ != nullptr; }

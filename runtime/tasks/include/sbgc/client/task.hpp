@@ -45,7 +45,7 @@ namespace sbgc {
 
 /// The next action for the driver of a task.
 struct TaskStep {
-  /// What the driver must do.
+  /// The action of the driver.
   enum class Kind : std::uint8_t {
     call,    ///< start `request`; pass its result to TaskMachine::replied()
     cancel,  ///< cancel `call`; its result no longer matters
@@ -58,20 +58,20 @@ struct TaskStep {
   Result<detail::Request> request =
       ClientError{};  ///< of `call`; an error is the result of the call
   /// For a `call` that starts a data stream: the request that ends it. Pass the frames of the
-  /// stream to TaskMachine::received(); `cancel` ends it, also after the reply.
+  /// stream to TaskMachine::received(); `cancel` ends the stream, also after the reply.
   std::optional<detail::Request> stream_end{};
   CallOptions options{};           ///< of `call`
   Instant until = Instant::never;  ///< of `wait`
   /// For `wait`: true if TaskMachine::wake() ends it.
   bool can_be_woken = false;
-  /// For `cancel`: what TaskMachine::keep() has kept for the call. Drop it after canceling.
+  /// For `cancel`: the stream that TaskMachine::keep() holds for the call. Drop it after canceling.
   Subscription stream{};
 };
 
 /// The state of a running task. Not thread-safe.
 class TaskMachine {
  public:
-  /// Task::begin() makes it.
+  /// Called by Task::begin().
   explicit TaskMachine(const BoardIdentity& board) : board_(board) {}
   TaskMachine(const TaskMachine&) = delete;
   TaskMachine& operator=(const TaskMachine&) = delete;
@@ -79,8 +79,8 @@ class TaskMachine {
 
   // For the driver.
 
-  /// Runs the task as far as possible. `now` must not decrease. At its end, what is left of its
-  /// calls is canceled first.
+  /// Runs the task as far as possible. `now` must not decrease. At its end, its remaining calls are
+  /// canceled first.
   TaskStep step(Instant now);
   /// Ends a task that threw: step() cancels its calls, and does not resume it.
   void abandon() noexcept { coroutine_ = nullptr; }
@@ -94,27 +94,27 @@ class TaskMachine {
   void confirmed(CallId id);
   /// Reports a message of the series that precedes the response to a call, or of its data stream.
   void received(CallId id, std::vector<std::uint8_t> body);
-  /// Reports a notice of the client, which the listeners of the task get.
+  /// Passes a notice of the client to the listeners of the task.
   void notice(const Notice& notice);
-  /// Reports a message of the board that belongs to no call, if overhears().
+  /// Passes on a message of the board that belongs to no call, if overhears().
   void overheard(std::uint8_t id, std::span<const std::uint8_t> body);
   /// Ends the current or next wait with ErrorCode::cancelled, once. The task may still clean up.
   void cancel() noexcept { is_cancelled_ = true; }
-  /// Says that the task with this number supersedes the motion of earlier ones: ends the current or
-  /// next wait of these with ErrorCode::superseded, once.
+  /// Tells the task that the one with this number supersedes the motion of earlier ones: ends the
+  /// current or next wait of an earlier one with ErrorCode::superseded, once.
   void supersede(TaskNumber by) noexcept { is_superseded_ = is_superseded_ || number_ < by; }
-  /// Its place among the tasks of the client, which its calls carry; 0 if there is none.
+  /// The number of the task in its client, which its calls carry; 0 if there is none.
   TaskNumber number() const noexcept { return number_; }
-  /// Gives it that place.
+  /// Sets the number.
   void set_number(TaskNumber number) noexcept {
     if (std::exchange(number_, number) != number) is_superseded_ = false;
   }
   /// Ends a wait of tasks::wait_for_wake().
   void wake() noexcept { is_woken_ = true; }
 
-  /// True if the task wants to know what belongs to no call. Changes only with a step.
+  /// True if the task wants messages that belong to no call. Changes only during a step.
   bool overhears() const noexcept { return static_cast<bool>(overhearing_); }
-  /// Says before the first step whether the line may repeat frames.
+  /// Sets before the first step whether the line may duplicate frames.
   void set_repeating_line(bool may_repeat) noexcept { line_may_repeat_ = may_repeat; }
 
   // For the task.
@@ -126,7 +126,7 @@ class TaskMachine {
   /// The framing of the board's last answer.
   Framing framing() const noexcept { return framing_; }
 
-  /// True if a confirmation may be the repetition of an earlier one.
+  /// True if a confirmation may be a duplicate of an earlier one.
   bool line_may_repeat() const noexcept { return line_may_repeat_; }
 
   /// Starts a call that runs concurrently with the task.
@@ -138,7 +138,7 @@ class TaskMachine {
     return begin_call(detail::prepare(request, board_.versions(), options.validate), options);
   }
   /// Starts a data stream of M, which runs until end(), or until the end of the task: `request` has
-  /// its interval and configuration. Its frames are a series. Fails for firmware without streams.
+  /// its interval and configuration. Its frames form a series. Fails for firmware without streams.
   template <Message M, Message Request>
   CallId begin_stream(Request request, const CallOptions& options = {}) {
     detail::choose_stream<M>(request);
@@ -152,25 +152,25 @@ class TaskMachine {
   }
   /// True if the call was confirmed at least once, or a message of its series has arrived.
   bool has_started(CallId id) const;
-  /// Returns the bodies of the messages of its series that have arrived since the last time.
+  /// Returns the bodies of the messages of its series that have arrived since the last call.
   std::vector<std::vector<std::uint8_t>> take_series(CallId id);
   /// Returns the result of a call; null while it is running.
   const Result<Reply>* reply(CallId id) const;
   /// Drops a call; cancels it if it is running, and ends its data stream.
   void end(CallId id);
 
-  /// Takes a notice.
+  /// Handles a notice.
   using NoticeHandler = std::function<void(const Notice&)>;
   /// A place in the list of listeners.
   using Listener = std::list<NoticeHandler>::iterator;
   /// Calls the handler with each notice until stop_listening().
   Listener listen(NoticeHandler handler);
-  /// Ends that.
+  /// Removes a listener.
   void stop_listening(Listener listener) { listeners_.erase(listener); }
-  /// Takes a message that belongs to no call.
+  /// Handles a message that belongs to no call.
   using OverhearingHandler =
       std::function<void(std::uint8_t id, std::span<const std::uint8_t> body)>;
-  /// Calls the handler with each message that belongs to no call; an empty one ends that.
+  /// Calls the handler with each message that belongs to no call; an empty one ends this.
   void overhear(OverhearingHandler handler) { overhearing_ = std::move(handler); }
 
   /// The events that a coroutine waits for. The first one resumes it.
@@ -180,12 +180,12 @@ class TaskMachine {
     Instant until = Instant::never;
     bool for_wake = false;  ///< also wake()
   };
-  /// Notes which coroutine waits, and for what; the functions of sbgc::tasks do that.
+  /// Records the waiting coroutine and its wait conditions; called by functions of sbgc::tasks.
   void wait(std::coroutine_handle<> coroutine, const Wait& wait) noexcept {
     coroutine_ = coroutine;
     wait_ = wait;
   }
-  /// Why the last wait ended early; nothing if it did not.
+  /// The error that ended the last wait early; success if there was none.
   Result<void> end_of_wait() const;
 
  private:
@@ -199,8 +199,8 @@ class TaskMachine {
     bool has_started() const noexcept { return confirmations != 0 || has_series; }
   };
 
-  /// The coroutine that step() resumes when the present one has suspended; null at the end. (To
-  /// resume it from there would need tail calls, which WebAssembly may lack.)
+  /// Sets the coroutine that step() resumes when the present one has suspended; null at the end.
+  /// (Resuming it from there would need tail calls, which WebAssembly may lack.)
   void go_on(std::coroutine_handle<> coroutine) noexcept {
     coroutine_ = coroutine;
     goes_on_ = static_cast<bool>(coroutine);
@@ -230,22 +230,22 @@ class TaskMachine {
   friend class Task;
 };
 
-/// A task that returns an R, such as Result<void>. It does nothing until it is driven or awaited by
-/// another task.
+/// A task that returns an R, such as Result<void>. It does nothing until it is driven, or awaited
+/// by another task.
 template <class R>
 class [[nodiscard]] Task {
   struct Promise;
 
  public:
-  /// The language requires this of a coroutine.
+  /// Required by the language for coroutines.
   using promise_type = Promise;
-  /// What it returns.
+  /// The type of its result.
   using result_type = R;
 
-  /// Takes over a task that has not begun, or is driven.
+  /// Takes over a task that has not begun, or is being driven.
   Task(Task&& other) noexcept
       : coroutine_(std::exchange(other.coroutine_, nullptr)), machine_(std::move(other.machine_)) {}
-  /// Exchanges two tasks.
+  /// Swaps two tasks.
   Task& operator=(Task&& other) noexcept {
     std::swap(coroutine_, other.coroutine_);
     std::swap(machine_, other.machine_);
@@ -272,7 +272,7 @@ class [[nodiscard]] Task {
 
   /// False: a task does nothing before it is awaited.
   bool await_ready() const noexcept { return false; }
-  /// Runs it in the machine of the task that awaits it.
+  /// Runs it in the machine of the awaiting task.
   template <class Other>
   void await_suspend(std::coroutine_handle<Other> awaiting) noexcept {
     coroutine_.promise().machine = awaiting.promise().machine;
@@ -346,7 +346,7 @@ struct Waiting {
   Result<void> await_resume() const { return machine->end_of_wait(); }
 };
 
-/// With a constructor, because g++ 12 copies the bytes of a temporary aggregate.
+/// It has a constructor, because g++ 12 copies the bytes of a temporary aggregate.
 template <Callable M>
 struct Calling {
   Calling(M to_send, CallOptions with) : request(std::move(to_send)), options(std::move(with)) {}

@@ -22,7 +22,7 @@ struct TuningChoice {
   std::uint8_t profile{};     ///< from 0
 };
 
-/// Returns the request that starts it. The board reports its progress.
+/// Returns the request that starts the tuning. The board reports its progress.
 msg::AutoPidRequest tuning_request(const TuningChoice& choice);
 
 /// Options of run_tuning().
@@ -34,19 +34,19 @@ struct TuningOptions {
 
 namespace tasks {
 
-/// Starts the tuning and waits until the board ends it. After an error, the board may go on: then,
-/// call end_tuning() and stop(), and write the old parameters back. Not for firmware that tunes
-/// with CMD_AUTO_PID2, of which too little is documented.
+/// Starts the tuning and waits until the board ends it. After an error, the board may continue:
+/// then call end_tuning() and stop(), and write the old parameters back. Not for firmware that
+/// tunes with CMD_AUTO_PID2, which is poorly documented.
 /// Errors: those of Client::call(); `timeout` if the board reports no progress; `cancelled` by
 /// TuningOptions::progress.
 Task<Result<void>> run_tuning(msg::AutoPidRequest request, TuningOptions options = {});
 
-/// True if live data say that the board tunes. Early firmware does not say it, and has no such
-/// data. Errors: those of Client::call().
+/// True if the live data show that the board is tuning. Early firmware does not report it, and has
+/// no such data. Errors: those of Client::call().
 Task<Result<bool>> is_tuning();
 
-/// Ends the tuning, and makes sure of it. Parameters that the board has stored already stay.
-/// Errors: those of Client::call(); `timeout` if the board goes on.
+/// Ends the tuning, and verifies that it has ended. Parameters that the board has already stored
+/// remain. Errors: those of Client::call(); `timeout` if the board continues.
 Task<Result<void>> end_tuning();
 
 }  // namespace tasks

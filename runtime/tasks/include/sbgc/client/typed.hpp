@@ -21,7 +21,7 @@ namespace sbgc::detail {
 
 ClientError decode_error(Status status, const Reply& reply);
 ClientError missing_response(const Reply& reply);
-/// The error of a call that wanted a confirmation.
+/// The error of a call whose required confirmation did not arrive.
 ClientError unconfirmed_error();
 /// Decodes a reply as a message whose type is known only at run time. A template, because
 /// AnyMessage is not complete here.
@@ -35,7 +35,7 @@ struct IsOptional : std::false_type {};
 template <class T>
 struct IsOptional<std::optional<T>> : std::true_type {};
 
-/// Decodes the reply as the first of several messages that fits.
+/// Decodes the reply as the first of several message types that fits.
 template <class... Ms>
 Status read(const Reply& reply, std::variant<Ms...>& out) noexcept {
   Status status{Code::unknown_form};

@@ -40,8 +40,8 @@ Result<std::int32_t> variable_raw(const VariableInfo& variable, double value,
 namespace tasks {
 
 /// Returns the values of these variables, in the given order. Uses as few messages as possible. A
-/// value is only as certain as one answer; if much depends on it, read it twice. Errors: those
-/// of Client::call(); `not_found` for a name; `mismatch` if the board sends other variables.
+/// value is only as reliable as one answer; if much depends on it, read it twice. Errors: those of
+/// Client::call(); `not_found` for a name; `mismatch` if the board sends other variables.
 Task<Result<std::vector<double>>> get_variables(std::vector<std::string> names);
 /// Returns the value of one variable. Errors: those of get_variables().
 Task<Result<double>> get_variable(std::string name);
@@ -50,8 +50,8 @@ Task<Result<double>> get_variable(std::string name);
 /// sending any. Variables that fit into one message change at the same moment. If the operation
 /// fails, the error reports how many were set, in the given order.
 ///
-/// While the board answers in the first framing, whose sums let some damage pass, the variables are
-/// read back. If they differ, they are set once more; then the operation fails with
+/// While the board answers in the first framing, whose checksums miss some damage, the variables
+/// are read back. If they differ, they are set once more; then the operation fails with
 /// ErrorCode::mismatch. Errors: those of get_variables(), and `invalid` for a value.
 Task<Result<void>> set_variables(std::vector<VariableValue> values);
 /// Sets one variable. Errors: those of set_variables().

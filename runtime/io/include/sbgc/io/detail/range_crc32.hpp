@@ -21,7 +21,7 @@ constexpr std::uint32_t multiply_crc32(std::uint32_t a, std::uint32_t b) noexcep
   return product;
 }
 
-/// The powers of x by which zero bytes multiply a register: row k has those of 0 to 255 times 256^k
+/// The powers of x by which zero bytes multiply a register: row k is for 0 to 255 times 256^k
 /// bytes.
 inline constexpr std::array<std::array<std::uint32_t, 256>, 3> zero_bytes_crc32 = [] {
   std::array<std::array<std::uint32_t, 256>, 3> rows{};
@@ -34,7 +34,7 @@ inline constexpr std::array<std::array<std::uint32_t, 256>, 3> zero_bytes_crc32 
   return rows;
 }();
 
-/// Knows the CRC of each range of the bytes that were appended and not dropped.
+/// Computes the CRC of each range of the bytes that were appended and not dropped.
 class RangeCrc32 {
  public:
   static constexpr std::size_t longest = (std::size_t{1} << 24) - 1;
@@ -48,13 +48,13 @@ class RangeCrc32 {
     }
   }
 
-  /// Drops bytes from the beginning; all, if there are fewer.
+  /// Drops bytes from the beginning; all bytes if there are fewer.
   void drop(std::size_t count) {
     const std::size_t most = count < size() ? count : size();
     registers_.erase(registers_.begin(), registers_.begin() + static_cast<std::ptrdiff_t>(most));
   }
 
-  /// Returns the CRC of `count` bytes from `begin` on, at most `longest`.
+  /// Returns the CRC of `count` bytes, at most `longest`, starting at `begin`.
   std::uint32_t of(std::size_t begin, std::size_t count) const noexcept {
     // A register is linear in its initial value: zero bytes carry the difference to 0xFFFFFFFF.
     std::uint32_t difference = registers_[begin] ^ 0xFFFFFFFF;

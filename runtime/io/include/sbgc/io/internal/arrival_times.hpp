@@ -1,4 +1,4 @@
-/// When the bytes of a stream arrived.
+/// The arrival times of the bytes of a stream.
 #pragma once
 
 #include <cstddef>
@@ -11,16 +11,16 @@ namespace sbgc::io::detail {
 
 class ArrivalTimes {
  public:
-  /// The next bytes have arrived.
+  /// Records that the next bytes have arrived.
   void add(std::size_t size, CaptureTime time) {
     size_ += size;
     marks_.push_back({size_, time});
   }
-  /// The number of bytes that have arrived.
+  /// Returns the number of bytes that have arrived.
   std::uint64_t size() const noexcept { return size_; }
 
-  /// Returns when the last of the first `end` bytes arrived. Precondition: it has, and is not
-  /// forgotten.
+  /// Returns the arrival time of the last of the first `end` bytes. Precondition: it has arrived,
+  /// and is not forgotten.
   CaptureTime of(std::uint64_t end) {
     while (marks_.front().end < end) marks_.pop_front();
     return marks_.front().time;

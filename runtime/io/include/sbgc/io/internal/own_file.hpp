@@ -1,4 +1,4 @@
-/// Files that users name: what is not one of this project's is named for what it is.
+/// Files that users name: an error about a file of another program names its type.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,7 @@
 namespace sbgc::detail {
 
 /// Reads a text file of at most `most` bytes: without a byte order mark, lines end with '\n' alone.
-/// Fails with ErrorCode::bad_file, too, if the content is of a foreign kind or has a NUL byte.
+/// Also fails with ErrorCode::bad_file if the content is of a foreign kind or has a NUL byte.
 Result<std::string> read_text_file(const std::filesystem::path& file, std::size_t most);
 
 }  // namespace sbgc::detail

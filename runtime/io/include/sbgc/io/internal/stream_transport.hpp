@@ -59,7 +59,7 @@ class StreamTransport : public Interface {
     auto finisher(Handler handler) {
       return [self = this->shared_from_this(), handler = std::move(handler)](std::error_code error,
                                                                              std::size_t size) {
-        // A partial write fails on the closed stream with another error.
+        // After a partial write, the closed stream fails with another error.
         if (error && self->closed) {
           error = asio::error::operation_aborted;
         } else if (error) {

@@ -1,4 +1,4 @@
-/// A clock and a timer in the time of an executor: that of the machine, or virtual.
+/// A clock and a timer that follow the time of an executor, real or virtual.
 #pragma once
 
 #include <system_error>
@@ -19,7 +19,7 @@ class ExecutorClock {
       : virtual_(VirtualTime::of(executor)) {}
 
   Instant now() const noexcept { return virtual_ != nullptr ? virtual_->now() : io::now(); }
-  /// Null if the time is that of the machine.
+  /// Null for real time.
   VirtualTime* virtual_time() const noexcept { return virtual_; }
 
  private:

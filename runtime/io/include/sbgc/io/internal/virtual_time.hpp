@@ -1,4 +1,4 @@
-/// Virtual time: programs of Asio that need ten minutes run in a moment, always in the same way.
+/// Virtual time: Asio programs that need ten minutes run at once, and deterministically.
 #pragma once
 
 #include <atomic>
@@ -18,8 +18,8 @@
 
 namespace sbgc::io::detail {
 
-/// The time of an io_context that no thread runs; asio::use_service<VirtualTime>() adds it. Time
-/// passes only in run(): from one Timer to the next, without waiting.
+/// The virtual time of an io_context that no thread runs; asio::use_service<VirtualTime>() adds it.
+/// Time passes only in run(): from one Timer to the next, without waiting.
 class VirtualTime : public asio::execution_context::service {
  public:
   using key_type = VirtualTime;
@@ -30,7 +30,7 @@ class VirtualTime : public asio::execution_context::service {
   explicit VirtualTime(asio::execution_context& context)
       : service(context), context_(static_cast<asio::io_context&>(context)) {}
 
-  /// Returns that of an executor; null if its time is that of the machine.
+  /// Returns the virtual time of an executor; null if the executor has real time.
   static VirtualTime* of(const asio::any_io_executor& executor) {
     asio::execution_context& context = asio::query(executor, asio::execution::context);
     return asio::has_service<VirtualTime>(context) ? &asio::use_service<VirtualTime>(context)
@@ -66,14 +66,14 @@ class VirtualTime : public asio::execution_context::service {
 
   struct Waiting;
   using Timers = std::multimap<Instant, Waiting>;
-  /// Empty if its timer does not wait.
+  /// Empty if its timer is not running.
   using Place = std::optional<Timers::iterator>;
   struct Waiting {
     asio::any_io_executor executor;
     std::function<void()> handler;
     Place* place;
 
-    /// Like the handlers of Asio, a handler ends on its executor: it may own the timer.
+    /// As with handlers of Asio, a handler is destroyed on its executor: it may own the timer.
     void drop() {
       asio::post(executor, [dropped = std::move(handler)] {});
     }
@@ -90,11 +90,11 @@ class VirtualTime : public asio::execution_context::service {
     timers_.extract(*place).mapped().drop();
     place.reset();
   }
-  /// Fires the first timer, if it is due until this time; returns false otherwise.
+  /// Fires the first timer if it is due by this time; returns false otherwise.
   bool fire(Instant until) {
     const std::scoped_lock lock(mutex_);
     if (timers_.empty() || until < timers_.begin()->first) return false;
-    if (timers_.begin()->first == Instant::never) return false;  // it only keeps its handler
+    if (timers_.begin()->first == Instant::never) return false;  // it only holds its handler
     now_us_ = later(now(), timers_.begin()->first).us;
     Waiting due = std::move(timers_.extract(timers_.begin()).mapped());
     due.place->reset();
@@ -108,7 +108,7 @@ class VirtualTime : public asio::execution_context::service {
       timers.swap(timers_);
       for (auto& [at, waiting] : timers) waiting.place->reset();
     }
-    // The handlers end here, and the timers that they own.
+    // Destroys the handlers here, and the timers that they own.
   }
 
   asio::io_context& context_;
