@@ -1,4 +1,4 @@
-// An emulated board, as `sbgc emulate` makes it, in the time of its owner.
+// An emulated board like that of `sbgc emulate`, whose time its owner sets.
 
 import type { EmulatorOptions } from "./modules.js";
 import { settingLines, type Wasm } from "./wasm.js";
@@ -7,7 +7,7 @@ import { settingLines, type Wasm } from "./wasm.js";
 export class Board {
   readonly #wasm: Wasm;
 
-  /** Turns the board on. Throws an Error that says what is wrong with the options. */
+  /** Turns the board on. Throws an Error that explains invalid options. */
   constructor(gimbal: Wasm, options: EmulatorOptions, now: number) {
     this.#wasm = gimbal;
     this.#set("board_start", options, now);
@@ -23,17 +23,17 @@ export class Board {
     this.#set("board_change", options, now);
   }
 
-  /** Takes bytes of the host. */
+  /** Takes bytes from the host. */
   receive(bytes: Uint8Array, now: number): void {
     this.#wasm.bytes("board_receive", bytes, now);
   }
 
-  /** Runs until `now`; returns what has arrived at the host. */
+  /** Runs until `now`, and returns the bytes that have arrived at the host. */
   advance(now: number): Uint8Array {
     return this.#wasm.bytes("board_advance", null, now).slice();
   }
 
-  /** When to call advance() at the latest. */
+  /** The latest time for the next advance(). */
   get next(): number {
     return this.#wasm.call("board_next");
   }

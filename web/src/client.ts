@@ -1,5 +1,5 @@
-// The client of a gimbal, without line and clock: its owner passes it what arrives, and sends what it
-// returns.
+// The client of a gimbal, without a line or clock: its owner passes received bytes to it, and sends the bytes
+// that it returns.
 
 import type { Finding } from "./modules.js";
 import type { Axes, View } from "./worker_messages.js";
@@ -13,7 +13,7 @@ export interface Reply {
   frame: Uint8Array;
 }
 
-/** What the client reports by itself. */
+/** An event of the client. */
 export interface Handlers {
   identified?(text: string): void;
   failed?(message: string): void;
@@ -91,7 +91,7 @@ export class Client {
     this.wasm.call("client_written", now);
   }
 
-  /** When to call advance() at the latest. */
+  /** The latest time for the next advance(). */
   get deadline(): number {
     return this.wasm.call("client_deadline");
   }
@@ -118,7 +118,7 @@ export class Client {
     return line.findings ?? [];
   }
 
-  /** The last state that the board has reported; null before. */
+  /** The last state that the board has reported, or null. */
   get view(): View | null {
     const numbers = this.wasm.numbers(this.wasm.call("client_view"), viewNumbers);
     const at = (index: number) => numbers[index] ?? NaN;

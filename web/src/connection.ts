@@ -14,7 +14,7 @@ export interface LineHandlers {
 
 /** An open line. */
 export interface LineEnd {
-  /** Resolves when the bytes have left, so that a stop never waits behind others. */
+  /** Resolves when the bytes are sent, so that a stop never waits behind others. */
   write(bytes: Uint8Array): Promise<void>;
   /** Changes the settings, and discards what has arrived. */
   set(settings: LineSettings): Promise<void>;

@@ -46,7 +46,7 @@ export async function encode<Name extends keyof Requests>(
   return (await messages()).encode(name, values, options);
 }
 
-/** Returns the frames in bytes; what is no frame is skipped. */
+/** Returns the frames in bytes, and skips all other bytes. */
 export async function decode(bytes: Uint8Array, from?: Direction): Promise<Decoded[]> {
   return (await messages()).decode(bytes, from);
 }
@@ -105,12 +105,12 @@ export class Emulator implements Streams {
   }
 }
 
-/** Turns an emulated board on. Throws an Error that says what is wrong with the options. */
+/** Turns an emulated board on. Throws an Error that explains invalid options. */
 export async function emulator(options: EmulatorOptions = {}): Promise<Emulator> {
   return new Emulator(await instance("gimbal"), options);
 }
 
-/** Angles in degrees, speeds in degrees a second; an axis that is missing is left alone. */
+/** Angles in degrees or speeds in degrees per second; an omitted axis is not controlled. */
 export interface AxisValues {
   roll?: number;
   pitch?: number;
@@ -161,11 +161,11 @@ class StreamLine implements LineEnd {
 }
 
 /**
- * A gimbal. Motions resolve when they have ended: a later one, or a stop, ends an earlier one, which then
- * rejects. The camera turns; read the guide to safety first.
+ * A gimbal. Motions resolve when they end. A later motion or a stop ends an earlier one, which then rejects.
+ * The camera turns: read the safety guide first.
  */
 export class Gimbal {
-  /** Called with what the board says unasked, such as a restart. */
+  /** Called for unsolicited events of the board, such as a restart. */
   onnotice: ((text: string) => void) | undefined;
   /** The board and its firmware. */
   readonly identity: string;
@@ -190,12 +190,12 @@ export class Gimbal {
     return (gimbal = new Gimbal(connection, codec));
   }
 
-  /** The last state that the board has reported; null before. */
+  /** The last state that the board has reported, or null. */
   get view(): View | null {
     return this.#connection.client.view;
   }
 
-  /** Sends a request; returns its answer, null for a confirmation or if there is none. */
+  /** Sends a request, and returns its response; null if there is none except a confirmation. */
   async call<Name extends keyof Answers & keyof Requests>(
     name: Name,
     values?: Input<Requests[Name]>,
@@ -211,14 +211,14 @@ export class Gimbal {
     return this.#connection.begin((client) => client.send(frame));
   }
 
-  /** Moves the camera to these angles. `speed` in degrees a second: that of the parameters by default. */
+  /** Moves the camera to these angles. `speed` is in degrees per second; the parameters have the default. */
   move(target: AxisValues & { speed?: number }): Promise<void> {
     return this.#act(`move${settings(target)}`);
   }
 
   /**
-   * Turns for `seconds`, 0.5 by default; then the camera brakes. Resolves when the motion has begun:
-   * repeat it to go on.
+   * Turns for `seconds`, 0.5 by default; then the camera brakes. Resolves when the motion has begun.
+   * Repeat the call to continue.
    */
   turn(speeds: AxisValues & { seconds?: number }): Promise<void> {
     return this.#act(`turn${settings(speeds)}`);
@@ -252,7 +252,7 @@ export class Gimbal {
     return this.#connection.begin((client) => client.diagnose());
   }
 
-  /** Ends all calls, and gives the streams back. What moves goes on: stop it before. */
+  /** Ends all calls, and releases the streams. A motion continues: stop it first. */
   close(): Promise<void> {
     return this.#connection.close();
   }

@@ -5,7 +5,7 @@ import { bytesOf, type Wasm } from "./wasm.js";
 
 export type Direction = "host" | "board";
 
-/** What is known of a frame, as `sbgc decode --format jsonl` prints it. */
+/** A decoded frame, as `sbgc decode --format jsonl` prints it. */
 export interface FrameFacts {
   offset: number;
   command: string | null;
@@ -23,7 +23,7 @@ export type DecodedMessage = {
 /** A frame; `message` is null if none fits. */
 export type Decoded = FrameFacts & (DecodedMessage | { message: null; fields?: undefined });
 
-/** A frame with its values as people read them. */
+/** A frame with human-readable values. */
 export interface DecodedRows {
   frame: Decoded;
   size: number;
@@ -47,7 +47,7 @@ export interface FieldForm {
   parts?: FieldForm[];
 }
 
-/** What is wrong with values: the path of a field, or "", and a sentence. */
+/** A problem of a value: the path of the field, or "", and a sentence. */
 export type Problem = [path: string, sentence: string];
 
 export class ProtocolError extends Error {
@@ -105,8 +105,8 @@ export class Messages {
   }
 
   /**
-   * Returns the frame of a message. Numbers are those on the wire; enums and flags may be names. What is
-   * missing is as in a new message. Throws a ProtocolError that names each wrong field.
+   * Returns the frame of a message. Numbers are raw values; enums and flags may be names. Missing
+   * fields have their defaults. Throws a ProtocolError that names each wrong field.
    */
   encode<Name extends keyof Requests>(
     name: Name,
@@ -126,7 +126,7 @@ export class Messages {
     return bytesOf(made.frame);
   }
 
-  /** Returns the frames in bytes; what is no frame is skipped. */
+  /** Returns the frames in bytes, and skips all other bytes. */
   decode(bytes: Uint8Array, from?: Direction): Decoded[] {
     const stream = new FrameStream(this.#wasm, from);
     return [...stream.feed(bytes), ...stream.finish()].map(({ frame }) => frame);
@@ -145,7 +145,7 @@ export class Messages {
   }
 }
 
-/** Decodes a stream of bytes. The last one made on an instance of the module is the one in use. */
+/** Decodes a stream of bytes. An instance of the module uses the decoder that was created last. */
 export class FrameStream {
   readonly #wasm: Wasm;
 
@@ -159,7 +159,7 @@ export class FrameStream {
     return this.#frames(new TextDecoder().decode(this.#wasm.bytes("feed", bytes)));
   }
 
-  /** Returns the frames in the rest. */
+  /** Returns the frames in the remaining bytes. */
   finish(): DecodedRows[] {
     return this.#frames(this.#wasm.text("finish", null));
   }

@@ -1,9 +1,9 @@
 // The input and output of the WebAssembly modules.
 
-/** A board as `sbgc emulate` makes it; what is missing has its usual value. */
+/** The options of an emulated board, as for `sbgc emulate`; all have defaults. */
 export interface EmulatorOptions {
   seed?: number;
-  /** Versions as on the wire: 30 is 3.0, 2590 is 2.59b0. */
+  /** Raw versions: 30 is 3.0, 2590 is 2.59b0. */
   board?: number;
   firmware?: number;
   /** The motion of the frame that carries the gimbal. */
@@ -19,7 +19,7 @@ export interface EmulatorOptions {
   delayedBytes?: number;
 }
 
-/** What `sbgc doctor` says. */
+/** A finding of `sbgc doctor`. */
 export interface Finding {
   id: string;
   /** 0 roll, 1 pitch, 2 yaw; -1: none. */

@@ -6,9 +6,9 @@ import { settingLines, type Wasm } from "./wasm.js";
 
 export type OnProgress = (progress: Progress) => void;
 
-/** What the module knows of the board. */
+/** The identity and features of the board. */
 export interface BoardFacts {
-  /** As on the wire. */
+  /** The raw value. */
   board: number;
   firmware: number;
   serialNumber: string;

@@ -13,7 +13,7 @@ export type Place =
   | { kind: "serial"; index: number; vendor: number | null; product: number | null }
   | { kind: "bridge"; url: string; token: string };
 
-/** What the page asks for by name; the `result` of `done` is what it returns. */
+/** The requests of the page by name; `done` has their result. */
 export interface Work {
   /** Opens the line, searches for its settings unless they are given, and identifies the board. */
   connect(place: Place, line: LineSettings | null): Connected;
