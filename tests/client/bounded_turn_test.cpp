@@ -2,7 +2,12 @@
 
 #include "tasks/bounded_turn.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <utility>
 
 #include <sbgc/client/motion.hpp>
 #include <sbgc/client/speed_control.hpp>
@@ -190,6 +195,50 @@ TEST_F(BoundedTurnTest, ARestartThatNobodyNoticesIsCovered) {
   static_cast<void>(client->run(turn_for(seconds(8))));  // ignores the notice
   EXPECT_EQ(mode(), emulator::AxisMode::remote) << "the timeout is there again";
   EXPECT_NEAR(yaw_speed(), 0, 0.5);
+}
+
+/// Loses an answer with angles every two seconds.
+class ForgetfulLine : public VirtualLine {
+ public:
+  void send(Way way, std::span<const std::uint8_t> bytes, Instant now) override {
+    constexpr auto angles = static_cast<std::uint8_t>(msg::GetAngles::command);
+    const bool has_angles = way == Way::to_host && bytes.size() > 1 && bytes[1] == angles;
+    if (has_angles && now >= next_) {
+      next_ = now + seconds(2);
+      ++lost;
+      return;
+    }
+    VirtualLine::send(way, bytes, now);
+  }
+
+  int lost = 0;
+
+ private:
+  Instant next_{seconds(2).us};
+};
+
+TEST_F(BoundedTurnTest, ALostAnswerDoesNotEndTheMotion) {
+  for (const int firmware : {2590, 2700}) {
+    for (const bool yields : {false, true}) {
+      ForgetfulLine line;
+      client = std::make_unique<VirtualClient>(calm_board(firmware), emulator::Memory(), &line);
+      const auto speed = client->held_speed();
+      const Instant end = client->now() + seconds(10);
+      const double before = yaw();
+      double slowest = 20;
+      BoundedTurn motion(MotionBound::automatic, Ms(500));
+      static_cast<void>(
+          client->run(detail::hold_speed(speed, std::move(motion), yields), [&](TaskMachine& task) {
+            if (client->now() >= end) return speed->close(), task.wake();
+            EXPECT_TRUE(speed->set({.yaw = 20_deg_per_s}, client->now()));
+            if (client->now() >= end - seconds(9)) slowest = std::min(slowest, yaw_speed());
+            task.wake();
+          }));
+      EXPECT_NEAR(yaw() - before, 200, 4) << firmware << yields;
+      EXPECT_GT(slowest, 15) << firmware << yields;
+      if (yields || firmware == 2590) EXPECT_GE(line.lost, 4);
+    }
+  }
 }
 
 /// Turns for half a second and stops.

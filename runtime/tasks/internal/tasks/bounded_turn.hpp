@@ -10,6 +10,8 @@
 #include <sbgc/client/task.hpp>
 #include <sbgc/messages/control.hpp>
 
+#include "tasks/angle_polls.hpp"
+
 namespace sbgc::detail {
 
 /// Turning by targets: each command is a target a short way ahead.
@@ -24,9 +26,10 @@ class ShortTargets {
     Speed speed{};  ///< without a sign, and never 0, which means another speed
     Angles angle{};
   };
-  /// Returns the command for a camera at these angles. At least one axis must have a speed; axes
-  /// without one stay where they were when they first had none.
-  Command next(const Speed& speed, const Angles& measured);
+  /// Returns the command for a camera that was at these angles `age` ago, and has turned at this
+  /// speed since. At least one axis must have a speed; axes without one stay where they were when
+  /// they first had none.
+  Command next(const Speed& speed, const Angles& measured, Duration age = {});
 
  private:
   std::chrono::milliseconds lookahead_;
@@ -47,6 +50,14 @@ class BoundedTurn {
   /// Removes the timeout, which also ends motion commanded by others.
   Task<Result<void>> let_go();
 
+  /// The angles during the motion.
+  AnglePolls& polls() noexcept { return polls_; }
+  /// Returns the time at which the next command must be sent, with or without new angles, so that
+  /// the motion does not end; `never` if the last angles are too old to do without.
+  Instant next_command(Instant now) const noexcept;
+  /// True if the motion has ended because the last command is too old.
+  bool has_lapsed(Instant now) const noexcept;
+
  private:
   Task<Result<void>> begin();
   Task<Result<void>> begin_timeout(bool is_choice);
@@ -55,6 +66,8 @@ class BoundedTurn {
   MotionBound bound_;
   std::chrono::milliseconds lookahead_;
   ShortTargets targets_;
+  AnglePolls polls_{};
+  Instant sent_{};  // the last command
   /// The request that limits the motion, once it has been sent.
   std::optional<msg::ControlConfig> timeout_{};
   Instant renewal_{};

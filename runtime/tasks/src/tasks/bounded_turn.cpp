@@ -46,11 +46,12 @@ msg::ControlSpeed magnitude(msg::ControlSpeed speed) noexcept {
 
 }  // namespace
 
-ShortTargets::Command ShortTargets::next(const Speed& speed, const Angles& measured) {
+ShortTargets::Command ShortTargets::next(const Speed& speed, const Angles& measured, Duration age) {
   Command command;
   msg::ControlSpeed fastest{};
   for (std::size_t i = 0; i < Speed::size(); ++i) fastest = std::max(fastest, magnitude(speed[i]));
-  const double seconds = std::chrono::duration<double>(lookahead_).count();
+  const double seconds =
+      std::chrono::duration<double>(lookahead_ + std::chrono::microseconds(age.us)).count();
   for (std::size_t i = 0; i < Speed::size(); ++i) {
     if (speed[i].raw() == 0) {
       if (!held_[i]) held_[i] = measured[i];
@@ -126,24 +127,40 @@ Task<Result<void>> BoundedTurn::turn(Axes<msg::ControlSpeed> speed, Instant not_
   if (bound_ != MotionBound::target || is_still(speed)) {
     command.control_mode.set_mode(msg::ControlModeKind::speed);
     for (std::size_t i = 0; i < speed.size(); ++i) command.axes[i].speed = speed[i];
-    if (is_late()) co_return late;
-    co_return co_await tasks::call(command, short_options());
+  } else {
+    if (!polls_.take_new()) {
+      const Result<bool> read = co_await polls_.update(next_command(task.now()));
+      if (!read) co_return read.error();
+      static_cast<void>(polls_.take_new());
+    }
+    ShortTargets::Angles measured;
+    for (std::size_t i = 0; i < measured.size(); ++i) {
+      measured[i] = polls_.last()->axes[i].imu_angle;
+    }
+    const auto next = targets_.next(speed, measured, task.now() - polls_.time());
+    command.control_mode.set_mode(msg::ControlModeKind::angle);
+    for (std::size_t i = 0; i < measured.size(); ++i) {
+      command.axes[i] = {next.speed[i], next.angle[i]};
+    }
   }
-  const Result<msg::GetAngles> state =
-      co_await tasks::call(msg::GetAnglesRequest{}, short_options());
-  if (!state) co_return during("reading the camera angles", state.error());
   if (is_late()) co_return late;
-  ShortTargets::Angles measured;
-  for (std::size_t i = 0; i < measured.size(); ++i) measured[i] = state->axes[i].imu_angle;
-  const ShortTargets::Command next = targets_.next(speed, measured);
-  command.control_mode.set_mode(msg::ControlModeKind::angle);
-  for (std::size_t i = 0; i < measured.size(); ++i) {
-    command.axes[i] = {next.speed[i], next.angle[i]};
-  }
+  sent_ = task.now();
   co_return co_await tasks::call(command, short_options());
 }
 
+Instant BoundedTurn::next_command(Instant now) const noexcept {
+  if (!polls_.last() || now >= polls_.time() + patience) return Instant::never;
+  const Instant soon = polls_.time() + milliseconds(patience.us / 1000 * 7 / 8);
+  if (bound_ == MotionBound::none) return soon;
+  return earlier(soon, sent_ + milliseconds(lookahead_.count() * 4 / 5));
+}
+
+bool BoundedTurn::has_lapsed(Instant now) const noexcept {
+  return bound_ != MotionBound::none && now - sent_ > duration_of(lookahead_);
+}
+
 Task<Result<void>> BoundedTurn::stop(std::function<bool()> turns_again) {
+  polls_.forget(co_await tasks::this_task());
   targets_ = ShortTargets(lookahead_);
   StopOptions options;
   options.goes_on = [&turns_again] { return !turns_again(); };

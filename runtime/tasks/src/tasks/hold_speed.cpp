@@ -50,13 +50,15 @@ ClientError restart_error() {
 /// begin.
 class Yielding {
  public:
-  /// Reads the angles before a speed is repeated; fails if it must not be.
-  Task<Result<void>> look(DeadMansSwitch::Speed speed) {
-    const TaskMachine& task = co_await tasks::this_task();
+  /// Reads the angles before a speed is repeated; fails if it must not be. If the answer is late,
+  /// the speed may be repeated without it, as long as the patience lasts.
+  Task<Result<void>> look(DeadMansSwitch::Speed speed, BoundedTurn& motion) {
+    TaskMachine& task = co_await tasks::this_task();
     if (!(speed == speed_)) {
       *this = Yielding();
       speed_ = speed;
       since_ = task.now();
+      motion.polls().forget(task);
       co_return Result<void>();
     }
     if (speed == DeadMansSwitch::Speed{}) co_return Result<void>();
@@ -64,10 +66,13 @@ class Yielding {
       if (polls != 0) {
         if (auto waited = co_await tasks::wait_until(task.now() + pause); !waited) co_return waited;
       }
-      const Result<msg::GetAngles> state = co_await tasks::call(msg::GetAnglesRequest{});
-      if (!state) co_return during("reading the camera angles", state.error());
+      const bool may_go_on = polls == 0 && has_begun_;
+      const Instant until = may_go_on ? motion.next_command(task.now()) : Instant::never;
+      const Result<bool> read = co_await motion.polls().update(until);
+      if (!read) co_return read.error();
+      if (!*read) co_return Result<void>();
       for (std::size_t i = 0; i < speed.size(); ++i) {
-        if (speed[i].raw() != 0 && state->axes[i].rc_speed.raw() != 0) {
+        if (speed[i].raw() != 0 && motion.polls().last()->axes[i].rc_speed.raw() != 0) {
           has_begun_ = true;
           co_return Result<void>();
         }
@@ -76,8 +81,11 @@ class Yielding {
     }
     if (has_begun_) {
       co_return ClientError{ErrorCode::interrupted,
-                            "the camera no longer turns: another program, RC, a limit or the "
-                            "control timeout has stopped it"};
+                            motion.has_lapsed(task.now())
+                                ? "the camera no longer turns: the board answers so late that the "
+                                  "motion has ended, or something else has stopped it"
+                                : "the camera no longer turns: another program, RC, a limit or the "
+                                  "control timeout has stopped it"};
     }
     if (task.now() - since_ < patience) co_return Result<void>();
     co_return ClientError{ErrorCode::timeout,
@@ -170,6 +178,7 @@ Task<Result<void>> hold_speed(std::shared_ptr<HeldSpeed> speed, BoundedTurn moti
       if (!waited && waited.error().code == ErrorCode::cancelled) speed->close();
       continue;
     }
+    if (task.number() != next.task) motion.polls().forget(task);
     task.set_number(next.task);
     Result<void> result;
     if (next.action == Action::stop) {
@@ -185,11 +194,13 @@ Task<Result<void>> hold_speed(std::shared_ptr<HeldSpeed> speed, BoundedTurn moti
     } else if (auto refused = refusals.take()) {
       result = *std::move(refused);  // of the previous command
     } else {
-      if (yields) result = co_await yielding.look(next.speed);
+      if (yields) result = co_await yielding.look(next.speed, motion);
       // A request that is sent later could follow a stop from elsewhere.
       const Instant not_after = yields ? task.now() + patience : Instant::never;
       if (result) result = co_await motion.turn(next.speed, not_after);
     }
+    const bool is_stopped = !result && result.error().code == ErrorCode::interrupted;
+    if (is_stopped && restarts.has_restarted()) result = restart_error();
     if (!result && is_in_other_hands(result.error().code)) {
       static_cast<void>(co_await motion.let_go());
     }
