@@ -240,6 +240,11 @@ void bind_client(py::module_& module) {
       .def("warn_of_silence", &HeldSpeed::warn_of_silence)
       .def("close", &HeldSpeed::close)
       .def("exit", &HeldSpeed::exit);
+  module.def("require_speeds", [](Float<"roll"> roll, Float<"pitch"> pitch, Float<"yaw"> yaw) {
+    static_cast<void>(speed_of(roll, "roll"));
+    static_cast<void>(speed_of(pitch, "pitch"));
+    static_cast<void>(speed_of(yaw, "yaw"));
+  });
   bind_streams(module, link);
   bind_tasks(module, link);
   module.def("list_ports", &list_ports);

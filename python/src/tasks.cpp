@@ -147,7 +147,7 @@ Task<Result<MoveProgress>> move_to(const OperationPointer& operation, OptionalFl
                                    Float<"tolerance"> tolerance, bool waits) {
   const MoveTarget target = target_of(roll, pitch, yaw);
   MoveOptions options;
-  options.speed = quantity_of<msg::ControlSpeed>(speed, "speed");
+  options.speed = speed_of(speed, "speed");
   options.timeout = timeout;
   options.tolerance = number_in(tolerance, "tolerance", 0, 360);
   options.progress = [weak = std::weak_ptr(operation)](const MoveProgress& progress) {

@@ -22,6 +22,7 @@ Range = tuple[float, float]
 UNLIMITED: Range = (-1e9, 1e9)
 YAW = 2
 LARGEST = 719.0  # the protocol of the board has no larger angles
+SLOWEST = 4000 / 32767  # degrees per second: one step of the protocol
 NEAR = 3.0  # degrees around a goal that count as there
 STOP = 0.15  # seconds that a camera takes to stop
 
@@ -98,12 +99,11 @@ class Steering:
             if number == YAW and speed and wish.follows:  # it has to keep up with the vehicle
                 speed += abs(autopilot.turn)
             angle = self.signs[number] * self._goal(number, wish, sample, autopilot.north)
-            target = ControlAxis(speed=speed, angle=angle)
-            if speed and not target.speed_raw:
-                target.speed_raw = 1  # the slowest; 0 would be the speed of the parameters
+            if speed:  # 0 would be the speed of the parameters
+                speed = max(speed, SLOWEST)
             kinds = ControlModeKind.MODE_ANGLE, ControlModeKind.MODE_ANGLE_REL_FRAME
             modes.append(ControlMode(kinds[wish.follows]))
-            targets.append(target)
+            targets.append(ControlAxis(speed=speed, angle=angle))
         return ControlExt(control_mode=Axes(*modes), axes=Axes(*targets))
 
     def _goal(self, number: int, wish: Wish, sample: Sample, north: float) -> float:

@@ -9,6 +9,7 @@
 #include <sbgc/internal/suggestions.hpp>
 #include <sbgc/internal/words.hpp>
 #include <sbgc/json/hex.hpp>
+#include <sbgc/meta/units.hpp>
 #include <sbgc/text.hpp>
 #include <sbgc/value_text.hpp>
 
@@ -76,6 +77,12 @@ bool is_unit(std::string_view text, std::string_view unit) {
   replace("²", "^2");
   replace("Ω", "ohm");
   return is_same_word(plain, unit) || is_same_word(plain, std::string(unit) + 's');
+}
+
+/// True for an angular speed, unless a gyroscope measures it: as a target, 0 can mean full speed.
+bool is_commanded_speed(const UnitInfo& unit) {
+  const UnitInfo& measured = UnitMeta<msg::GyroRate>::info;
+  return std::string_view(unit.name) == measured.name && unit.raw(1) != measured.raw(1);
 }
 
 std::string in_unit(double raw, const UnitInfo* unit) {
@@ -241,6 +248,9 @@ class ValueParser {
     // The conversion is not exact.
     if (step >= 1 && std::abs(exact - raw) > 1e-6) {
       fail(shown(text) + " is between two values, which are " + unit_text(step, unit) + " apart");
+    }
+    if (raw == 0 && std::abs(exact) > 1e-6 && is_commanded_speed(unit)) {
+      fail(shown(text) + " is too slow; the least is " + unit_text(step, unit));
     }
     const auto lowest = static_cast<double>(type_.lowest);
     const auto highest = type_.is_wide
