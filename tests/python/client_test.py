@@ -311,6 +311,12 @@ def test_a_lost_line_is_a_connection_error(board: Board, gimbal: Gimbal) -> None
             time.sleep(0.01)
 
 
+def test_a_move_whose_line_is_lost_does_not_say_that_the_client_is_closed(board: Board) -> None:
+    with sbgc.connect(board, reconnect=True) as gimbal:
+        with pytest.raises(GimbalDisconnected, match="stopping it failed: the connection is lost: "):
+            gimbal.move_to(pitch=60, speed=20, progress=lambda _: board.unplug())
+
+
 def test_no_board_is_an_error_in_time() -> None:
     begin = time.monotonic()
     with sbgc.emulator(lost=1.0) as silent, pytest.raises(GimbalError, match="received nothing"):
