@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <utility>
+#include <variant>
 
 #include <asio/ip/address.hpp>
 #include <fmt/format.h>
@@ -179,8 +181,8 @@ std::string read_listen(const SectionReader& section, const std::string& text) {
   std::error_code error;
   if (address) asio::ip::make_address_v4(address->host, error);
   if (!address || error) {
-    section.reject("listen", fmt::format("'{}' is not one number of version 4 and a port, such as "
-                                         "\"127.0.0.1:9110\"",
+    section.reject("listen", fmt::format("'listen' is '{}'; it must be an IPv4 address and a port, "
+                                         "such as \"127.0.0.1:9110\"",
                                          text));
   }
   return fmt::format("{}:{}", address->host, address->port);
@@ -336,6 +338,17 @@ FleetGimbal read_fleet_gimbal(SectionReader& section, const ConfigurationSection
   return gimbal;
 }
 
+/// True if both addresses lead to one board. Replays of a capture are independent.
+bool is_same_board(const std::string& a, const std::string& b) {
+  const io::AddressResult one = io::parse_address(a);
+  const io::AddressResult other = io::parse_address(b);
+  if (!one || !other) return false;
+  const auto* const port = std::get_if<io::SerialAddress>(&one.address);
+  const auto* const other_port = std::get_if<io::SerialAddress>(&other.address);
+  if (port != nullptr && other_port != nullptr) return port->path == other_port->path;
+  return one.address == other.address && !std::holds_alternative<io::CaptureAddress>(one.address);
+}
+
 /// Reads one section into the fleet.
 void read_section(const ConfigurationText& text, const ConfigurationSection& section, Fleet& fleet,
                   const std::filesystem::path& folder) {
@@ -343,7 +356,13 @@ void read_section(const ConfigurationText& text, const ConfigurationSection& sec
   const FileReader files(reader, folder, fleet.files);
   const std::vector<std::string>& path = section.path;
   if (path.size() == 2 && path.front() == "gimbal") {
-    fleet.gimbals.push_back(read_fleet_gimbal(reader, section, folder, files));
+    FleetGimbal gimbal = read_fleet_gimbal(reader, section, folder, files);
+    for (const FleetGimbal& other : fleet.gimbals) {
+      if (!is_same_board(gimbal.line.port, other.line.port)) continue;
+      reader.reject("port", fmt::format("[gimbal.{}] has the port of [gimbal.{}], {}",
+                                        gimbal.line.name, other.line.name, other.line.port));
+    }
+    fleet.gimbals.push_back(std::move(gimbal));
   } else if (path == std::vector<std::string>{"fleet"}) {
     fleet.name = reader.required_text("name", "name = \"studio\"");
   } else if (path == std::vector<std::string>{"metrics"}) {

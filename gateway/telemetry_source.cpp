@@ -60,7 +60,8 @@ TelemetrySource TelemetrySource::find(std::string_view message, std::string_view
       source.request_ = type->make();
       return source;
     }
-    known.emplace_back(answer->info->name);
+    const std::string name = answer->info->name;
+    if (std::ranges::find(known, name) == known.end()) known.push_back(name);
   }
   throw CommandError(fmt::format(
       "no board sends '{}' by itself or when it is asked{}", clipped(message),

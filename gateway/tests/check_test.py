@@ -126,7 +126,7 @@ def test_all_changes(folder: Path) -> None:
     "section, key, value, reason",
     [
         ("metrics", "fields", '"angel"', "did you mean"),
-        ("metrics", "listen", '"127.0.0.1:1,0.0.0.0:2"', "not one number of version 4 and a port"),
+        ("metrics", "listen", '"127.0.0.1:1,0.0.0.0:2"', "must be an IPv4 address and a port"),
         ("broker", "journal", '"gone/a.db"', "cannot write to the folder"),
         ("broker", "journal", '"server.key"', "is no journal of a gateway"),
         ("broker", "password-file", '"empty"', "a password is one line"),
@@ -198,6 +198,11 @@ def test_the_sample_is_a_fleet(tmp_path: Path) -> None:
         ('[gimbal."a/b"]\n', "6:1", "'a/b' cannot be a part of a topic"),
         ("[gimbal.reply]\n", "6:1", "'reply' has another meaning"),
         ("[gimbal.front]\n", "6:1", "cannot redefine existing table 'gimbal.front'"),
+        (
+            '[gimbal.back]\nport = "tcp:127.0.0.1:1"\n',
+            "7:8",
+            "[gimbal.back] has the port of [gimbal.front], tcp:127.0.0.1:1",
+        ),
         ("[gimbals.back]\n", "6:1", "did you mean 'gimbal'?"),
         ('prot = "x"\n', "6:1", "unknown key 'prot' of [gimbal.front]; did you mean 'port'?"),
         ('allow = ["mov"]\n', "6:10", "no task 'mov'; did you mean 'move'?"),
@@ -205,6 +210,11 @@ def test_the_sample_is_a_fleet(tmp_path: Path) -> None:
         ('units = "V"\n', "6:9", '\'units\' must be "yes" or "no"'),
         ('telemetry = ["RealtimeData4"]\n', "6:14", "is not a message and its rate"),
         ('telemetry = "RealtimeDat4 1"\n', "6:13", "did you mean 'RealtimeData4'"),
+        (
+            'telemetry = "RealtimeDataX 1"\n',
+            "6:13",
+            "; did you mean 'RealtimeData3' or 'RealtimeData4'?",
+        ),
         ('telemetry = "RealtimeDataCustom 1"\n', "6:13", "say what RealtimeDataCustom contains"),
         (
             'telemetry = ["RealtimeData4 1", "REALTIME_DATA_4 2"]\n',
@@ -220,7 +230,7 @@ def test_the_sample_is_a_fleet(tmp_path: Path) -> None:
         ('[broker]\naddress = "a"\nclock-skew = "2m"\n', "8:14", "at most 60 s"),
         ('[broker]\naddress = "a"\nlongest-deadline = "25h"\n', "8:20", "at most 86400 s"),
         ('[broker]\naddress = "a"\nkey-file = "k"\n', "8:12", "belong together"),
-        (FLEET.replace("[metrics]", '[metrics]\nlisten = "9110"'), "4:10", "and a port"),
+        (FLEET.replace("[metrics]", '[metrics]\nlisten = "9110"'), "4:10", "an IPv4 address and a port"),
         ('allow = ["move\n', "6:15", "Error while parsing string"),
         ("allow = [move]\n", "6:10", "texts need quotes"),
         ('allow = ["move" "stop"]\n', "6:17", "expected comma or closing ']'"),

@@ -144,7 +144,8 @@ class SpeedControl:
         self._held = held
 
     def set(self, *, roll: float = 0.0, pitch: float = 0.0, yaw: float = 0.0) -> None:
-        """Turn with these speeds in degrees per second. Omitted axes hold still.
+        """Turn with these speeds in degrees per second. Omitted axes hold still, and so do
+        those with less than 0.06.
 
         If the camera has stopped because nothing was called for the time of `silence`, it turns
         again, and a RuntimeWarning is issued. If another command of this client has stopped or moved

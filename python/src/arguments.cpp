@@ -62,6 +62,17 @@ std::string path_of(py::handle value, const char* name) {
   return py::isinstance<py::bytes>(path) ? std::string(py::bytes(path)) : string_of(path, name);
 }
 
+msg::ControlSpeed speed_of(double value, const char* field) {
+  const auto speed = quantity_of<msg::ControlSpeed>(value, field);
+  if (speed.raw() == 0 && value != 0) {
+    const std::string problem = std::string(field) + ": " + digits_of(value) +
+                                " deg/s is too slow; the least is " +
+                                detail::unit_text(msg::ControlSpeed(1).real(), {"deg/s"});
+    raise("FieldError", problem, field);
+  }
+  return speed;
+}
+
 bool flag_of(py::handle value, const char* name) {
   const int flag = PyObject_IsTrue(value.ptr());
   const bool is_number = PyBool_Check(value.ptr()) || PyNumber_Check(value.ptr());

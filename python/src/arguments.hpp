@@ -142,6 +142,9 @@ Q quantity_of(double value, const char* field) {
   return *result;
 }
 
+/// Raises if the speed rounds to 0, which would mean another speed.
+msg::ControlSpeed speed_of(double value, const char* field);
+
 }  // namespace sbgc::python
 
 namespace pybind11::detail {

@@ -1,10 +1,14 @@
 // The client: turns requests of Python into operations.
 
 #include <optional>
+#include <string>
+#include <variant>
 
 #include <pybind11/stl.h>
 
 #include <sbgc/client/speed_control.hpp>
+#include <sbgc/internal/words.hpp>
+#include <sbgc/io/open.hpp>
 #include <sbgc/io/ports.hpp>
 #include <sbgc/meta/system.hpp>
 
@@ -192,6 +196,14 @@ py::tuple identity_of(const Link& link) {
                         any_of(board.info), details, board.firmware_problem());
 }
 
+/// Returns what two addresses of one board have in common. Raises ValueError for a malformed one.
+std::string board_at(const std::string& text) {
+  const io::AddressResult address = io::parse_address(text);
+  if (!address) throw py::value_error(detail::without_period(address.error.message));
+  const auto* const serial = std::get_if<io::SerialAddress>(&address.address);
+  return serial != nullptr ? serial->path : text;
+}
+
 }  // namespace
 
 void bind_client(py::module_& module) {
@@ -240,9 +252,15 @@ void bind_client(py::module_& module) {
       .def("warn_of_silence", &HeldSpeed::warn_of_silence)
       .def("close", &HeldSpeed::close)
       .def("exit", &HeldSpeed::exit);
+  module.def("require_speeds", [](Float<"roll"> roll, Float<"pitch"> pitch, Float<"yaw"> yaw) {
+    static_cast<void>(speed_of(roll, "roll"));
+    static_cast<void>(speed_of(pitch, "pitch"));
+    static_cast<void>(speed_of(yaw, "yaw"));
+  });
   bind_streams(module, link);
   bind_tasks(module, link);
   module.def("list_ports", &list_ports);
+  module.def("board_at", &board_at);
 }
 
 }  // namespace sbgc::python

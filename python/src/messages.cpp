@@ -147,6 +147,12 @@ void set_real(AnyMessage& message, std::string_view path, const py::object& valu
   if (PyErr_Occurred() != nullptr) raise_type(path, value, "a number");
   std::string text = number_text(number);
   with_leaf(message, path, [&](const Leaf& leaf) {
+    // Numbers that are computed may be too small; text must not be.
+    const bool is_zero = leaf.unit != nullptr && std::round(leaf.unit->raw(number)) == 0;
+    const auto& special = leaf.field.special;
+    if (is_zero && std::ranges::find(special, 0, &Special::value) == special.end()) {
+      text = number_text(leaf.unit->real(0));
+    }
     text = announced_text(leaf, text);
     // With its unit: a number without one can be a sentinel.
     if (leaf.unit != nullptr && *leaf.unit->name != '\0')

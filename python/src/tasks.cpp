@@ -1,6 +1,7 @@
 // The tasks of the client, as methods that begin them.
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <type_traits>
@@ -147,7 +148,7 @@ Task<Result<MoveProgress>> move_to(const OperationPointer& operation, OptionalFl
                                    Float<"tolerance"> tolerance, bool waits) {
   const MoveTarget target = target_of(roll, pitch, yaw);
   MoveOptions options;
-  options.speed = quantity_of<msg::ControlSpeed>(speed, "speed");
+  options.speed = speed_of(speed, "speed");
   options.timeout = timeout;
   options.tolerance = number_in(tolerance, "tolerance", 0, 360);
   options.progress = [weak = std::weak_ptr(operation)](const MoveProgress& progress) {
@@ -236,14 +237,34 @@ Task<Result<std::optional<AnyMessage>>> confirmed(AnyMessage request) {
   co_return co_await tasks::call(request, confirming());
 }
 
-Task<Result<void>> set_variables(const py::dict& values) {
+/// Raises for a value between two whole steps, which the library would round.
+void require_step(const std::string& name, double value, const Availability& versions) {
+  const Result<const VariableInfo*> variable = find_variable(name);
+  if (!variable) return;
+  const UnitInfo unit = (*variable)->unit_in(versions);
+  const double step = unit.numerator / unit.denominator;
+  const double exact = unit.raw(value);
+  if (step < 1 || !(std::abs(exact - std::round(exact)) > 1e-6)) return;
+  std::string problem = name + ": " + detail::unit_text(value, unit);
+  problem += unit.is_plain()
+                 ? " is not an integer"
+                 : " is between two values, which are " + detail::unit_text(step, unit) + " apart";
+  raise("FieldError", problem, name);
+}
+
+OperationPointer set_variables(Link& link, const py::dict& values) {
+  const Availability versions = link.client().identity().versions();
   std::vector<VariableValue> wanted;
   for (const auto& [name, value] : values) {
     std::string text = string_of(name, "values");
     const double number = number_of(value, text.c_str());
+    require_step(text, number, versions);
     wanted.push_back({std::move(text), number});
   }
-  return tasks::set_variables(std::move(wanted));
+  OperationPointer operation = link.make_operation();
+  link.prepare_task(*operation, tasks::set_variables(std::move(wanted)),
+                    [](const Result<void>& result) { return result_of(result); });
+  return operation;
 }
 
 Task<Result<void>> rename_profiles(const Texts<"names">& names) {
@@ -304,6 +325,7 @@ class Methods {
 }  // namespace
 
 void bind_tasks(py::module_& module, LinkClass& link) {
+  link.def("set_variables", &set_variables);
   Methods(link)
       .def("move_to", &move_to)
       .def(
@@ -332,7 +354,6 @@ void bind_tasks(py::module_& module, LinkClass& link) {
       .def("rename_profiles", &rename_profiles)
       .def(
           "get_variables", +[](Texts<"names"> names) { return tasks::get_variables(names); })
-      .def("set_variables", &set_variables)
       .def("save_variables", &tasks::save_variables)
       .def(
           "download_eeprom",

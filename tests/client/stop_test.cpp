@@ -165,6 +165,21 @@ TEST_P(StopTest, ALaterMotionOfTheSameClientEndsItsWatch) {
   EXPECT_TRUE(programs.await(move));
 }
 
+TEST_P(StopTest, ALaterCommandEndsTheStopOfACancelledMove) {
+  std::optional<Result<MoveProgress>> ended;
+  TaskMachine& move =
+      programs[0].start(tasks::move_to({.pitch = 80_deg}, slowly()),
+                        [&](Result<MoveProgress> result) { ended = std::move(result); });
+  programs.run_for(sbgc::milliseconds(1000));
+  move.cancel();
+  programs.run_for(sbgc::milliseconds(50));
+  EXPECT_TRUE(programs.await(programs.start(0, tasks::stop())));
+  ASSERT_TRUE(ended.has_value());
+  EXPECT_THAT(*ended,
+              fails(ErrorCode::cancelled,
+                    ::testing::EndsWith("); a later command stops the camera or moves it")));
+}
+
 TEST_P(StopTest, AStalledAxisHasItsTargetSentOnce) {
   int targets = 0;
   programs.lines[0]->pass = [&](VirtualLine::Way way, std::span<const std::uint8_t> bytes) {

@@ -26,18 +26,18 @@ system = 1
 line = {terminal},57600
 system = 2
 [gimbal a]
-port = {address}
+port = {a}
 vehicle = left
 [gimbal b]
-port = {address}
+port = {b}
 vehicle = left
 component = 154
 manager = yes
 [gimbal c]
-port = {address}
+port = {c}
 vehicle = right
 component = 173
-arm = no
+arm = FALSE
 """
 
 
@@ -46,24 +46,39 @@ def run(*arguments: str, answers: str = "") -> "subprocess.CompletedProcess[str]
     return subprocess.run(command, input=answers, capture_output=True, text=True, timeout=60)
 
 
-GIMBALS = "".join(f"[gimbal {number}]\nport = x\n" for number in range(7))
+GIMBALS = "".join(f"[gimbal {number}]\nport = tcp:x:{number + 1}\n" for number in range(7))
 
 
 @pytest.mark.parametrize(
     "given, said",
     [
         ([], "either the address of a gimbal is needed, or --config"),
-        (["x", "--line=udpin:14550"], "'udpin:14550': udpin:HOST:PORT"),
-        (["x", "--line=ttyS0"], "/dev/PORT,RATE is needed"),
+        (["/x", "--line=udpin:14550"], "'udpin:14550': udpin:HOST:PORT"),
+        (["/x", "--line=ttyS0"], "/dev/PORT,RATE is needed"),
         (["x", "--component=1"], "argument --component: invalid choice: 1"),
-        (["x", "--rate-timeout=60"], "rate-timeout: 0.1 to 5 are possible"),
-        (["x", "--key-file=/dev/null"], "a key has 32 bytes"),
+        (["/x", "--rate-timeout=60"], "rate-timeout: 0.1 to 5 are possible"),
+        (["/x", "--key-file=/dev/null"], "a key has 32 bytes"),
+        (["/x", f"--key-file={__file__}"], "options_test.py: a key has 32 bytes"),
+        (["/x", "--system=300"], "--system: 1 to 255 are possible, not '300'"),
+        (["nonsense"], "'nonsense' is malformed: a port is written with its path"),
         (["--config=/none"], "No such file"),
-        ("[gimbal]\nport = x\n", "there is no vehicle"),
+        ("[gimbal]\nport = /x\n", "there is no vehicle"),
         ("[vehicle]\n", "there is no gimbal"),
-        ("[vehicle]\n[gimbal]\n", "[gimbal]: error: the following arguments are required: --port"),
-        ("[vehicle]\n[gimbal]\nport = x\nspeed = fast\n", "--speed"),
-        ("[vehicle]\nlines = x\n", "unrecognized arguments: --lines=x"),
+        ("[vehicle]\n[gimbal]\n", "drones.ini:2: its port is missing"),
+        ("[vehicle]\n[gimbal]\nport = x\nspeed = fast\n", "ini:4: speed: invalid float value"),
+        ("[vehicle]\n[gimbal]\narm = 1\nport = x\n", "ini:3: arm: it is yes or no, not '1'"),
+        ("[vehicle]\n[gimbal]\nport = x\n", "ini:3: The address 'x' is malformed"),
+        ("[vehicle]\n[gimbal]\nprt = x\nport = /x\n", "ini:3: unknown key 'prt'; did you mean"),
+        (
+            "[vehicle]\nx = 1\n",
+            "ini:2: unknown key 'x'; keys of [vehicle] are line, system, key-file",
+        ),
+        ("[other]\n", "ini:1: unknown section [other]; there are [vehicle], [vehicle NAME],"),
+        ("[Vehicle]\n", "ini:1: unknown section [Vehicle]; did you mean 'vehicle'?"),
+        (
+            "[vehicle]\n[gimbal a]\nport = /x\n[gimbal b]\nport = serial:/x?baud=9600\n",
+            "ini:5: [gimbal b] has the port of [gimbal a], serial:/x",
+        ),
         (f"[vehicle]\n{GIMBALS}", "six gimbals"),
         ("nothing", "no section headers"),
     ],
@@ -83,9 +98,9 @@ def test_several_gimbals_of_two_systems_on_tcp_and_a_serial_port(tmp_path: Path)
         port = free.getsockname()[1]
     found: dict[str, set[tuple[int, int]]] = {"tcp": set(), "serial": set()}
     codecs = {name: Codec(None, counters) for name in found}
-    with closing(Gimbal()) as camera:
-        terminal = os.ttyname(theirs)
-        file.write_text(TWO.format(port=port, terminal=terminal, address=camera.address))
+    with closing(Gimbal()) as a, closing(Gimbal()) as b, closing(Gimbal()) as c:
+        terminal, ports = os.ttyname(theirs), {"a": a.address, "b": b.address, "c": c.address}
+        file.write_text(TWO.format(port=port, terminal=terminal, **ports))
         with program(f"--config={file}") as process:
             assert process.stderr is not None
             while f"{port}: open" not in process.stderr.readline():

@@ -81,6 +81,10 @@ def test_move_to_arrives_and_reports_its_progress(board: Board, gimbal: Gimbal) 
 def test_arguments_out_of_range_are_errors_with_field_value_and_limit(gimbal: Gimbal) -> None:
     with pytest.raises(sbgc.FieldError, match="pitch: 1000.* does not fit: -720.* to 719.*deg"):
         gimbal.move_to(pitch=1000)
+    with pytest.raises(sbgc.FieldError, match="speed: 0.05 deg/s is too slow; the least is 0.12"):
+        gimbal.move_to(pitch=20, speed=0.05)
+    with pytest.raises(sbgc.FieldError, match="yaw: -0.05 deg/s is too slow"):
+        gimbal.turn(yaw=-0.05, seconds=1)
     with pytest.raises(TypeError, match="pitch: a number is needed, not 'up'"):
         gimbal.move_to(pitch="up")  # type: ignore[arg-type]
     with pytest.raises(ValueError, match="timeout"):
@@ -307,6 +311,12 @@ def test_a_lost_line_is_a_connection_error(board: Board, gimbal: Gimbal) -> None
             time.sleep(0.01)
 
 
+def test_a_move_whose_line_is_lost_does_not_say_that_the_client_is_closed(board: Board) -> None:
+    with sbgc.connect(board, reconnect=True) as gimbal:
+        with pytest.raises(GimbalDisconnected, match="stopping it failed: the connection is lost"):
+            gimbal.move_to(pitch=60, speed=20, progress=lambda _: board.unplug())
+
+
 def test_no_board_is_an_error_in_time() -> None:
     begin = time.monotonic()
     with sbgc.emulator(lost=1.0) as silent, pytest.raises(GimbalError, match="received nothing"):
@@ -352,6 +362,10 @@ def test_wrong_parameters_are_errors(gimbal: Gimbal) -> None:
 def test_variables_have_names_and_units(gimbal: Gimbal) -> None:
     gimbal.set_variables({"LPF_FREQ_ROLL": 120, "P_PITCH": 17})
     assert gimbal.get_variables("LPF_FREQ_ROLL", "P_PITCH") == [120, 17]
+    with pytest.raises(ValueError, match="SHAKE_AMP_ROLL: 3.5 is not an integer"):
+        gimbal.set_variables({"SHAKE_AMP_ROLL": 3.5})
+    with pytest.raises(ValueError, match="120.5 Hz is between two values, which are 1 Hz apart"):
+        gimbal.set_variables({"LPF_FREQ_ROLL": 120.5})
     gimbal.save_variables()
     assert gimbal.read_profile(gimbal.active_profile())["pitch.p"] == 17
     with pytest.raises(GimbalError, match="LPF_FREQ_ROLL"):

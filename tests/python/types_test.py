@@ -174,6 +174,7 @@ def test_errors_name_field_value_and_limit() -> None:
         message.axes.roll = msg.AxisState()  # type: ignore[assignment]
     with pytest.raises(FieldError, match=r"note_length: 1e\+09 ms does not fit: 0 ms to 2040 ms"):
         msg.BeepSound(note_length=1e9)
+    assert msg.ControlAxis(speed=0.05).speed_raw == 0, "computed speeds may be small"
     with pytest.raises(AttributeError):
         message.pitch = 3  # type: ignore[attr-defined]
     assert message == msg.Control()

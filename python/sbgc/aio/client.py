@@ -170,12 +170,13 @@ class Gimbal(Waiting):
     ) -> None:
         """Turn with these speeds, in degrees per second, for so many seconds; then stop.
 
-        Axes without a speed hold still. Raises GimbalSuperseded if a later command of this client
-        stops the camera or moves it.
+        Axes without a speed hold still; the least speed is 0.12. Raises GimbalSuperseded if a later
+        command of this client stops the camera or moves it.
         """
         require_numbers(seconds=seconds)
         if not seconds >= 0:
             raise ValueError(f"seconds: {seconds!r} is no time")
+        _core.require_speeds(roll, pitch, yaw)
         async with self.speed_control() as control:
             until = self._link.now() + seconds
             control.set(roll=roll, pitch=pitch, yaw=yaw)

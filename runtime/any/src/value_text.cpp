@@ -242,6 +242,11 @@ class ValueParser {
     if (step >= 1 && std::abs(exact - raw) > 1e-6) {
       fail(shown(text) + " is between two values, which are " + unit_text(step, unit) + " apart");
     }
+    // 0 may mean something else, such as full speed.
+    const bool is_scaled = unit.growth == 0 && unit.offset == 0 && !measure->rest.empty();
+    if (is_scaled && raw == 0 && std::abs(exact) > 1e-6) {
+      fail(shown(text) + " is too small; the least is " + unit_text(step, unit));
+    }
     const auto lowest = static_cast<double>(type_.lowest);
     const auto highest = type_.is_wide
                              ? static_cast<double>(std::numeric_limits<std::uint64_t>::max())

@@ -382,12 +382,15 @@ void Conversation::State::line_failed(const std::error_code& reason) {
 }
 
 void Conversation::State::close() {
+  // A client that connects again closes a lost conversation, whose tasks may still run.
+  std::string reason = "the client is closed";
   {
     const std::lock_guard lock(mutex_);
     if (phase_ == Phase::closed) return;
+    if (phase_ == Phase::lost) reason = loss_;
     phase_ = Phase::closed;
   }
-  const auto ended = calls_->take_all({ErrorCode::not_connected, "the client is closed"});
+  const auto ended = calls_->take_all({ErrorCode::not_connected, std::move(reason)});
   // Also report here: the caller may be the thread that runs the strand.
   report_search(false);
   for (const CallPointer& call : ended) calls_.complete(*call, closed_error());

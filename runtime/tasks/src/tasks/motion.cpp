@@ -319,7 +319,9 @@ Task<Result<MoveProgress>> finish(Result<MoveProgress> result, bool was_sent,
   ClientError error = result.error();
   if (is_in_other_hands(error.code)) co_return error;
   const Result<void> stopped = co_await tasks::stop();
-  if (!stopped) {
+  if (!stopped && stopped.error().code == ErrorCode::superseded) {
+    error.message += "; a later command stops the camera or moves it";
+  } else if (!stopped) {
     error.message += fmt::format("; stopping it failed: {}", stopped.error().message);
   } else {
     // A board that rejects the target also rejects the stop.
