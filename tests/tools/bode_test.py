@@ -201,7 +201,9 @@ def test_after_kill_9_the_recording_that_goes_on_is_not_that_of_the_next(tmp_pat
             continue
         text = " ".join(refused.error.split())
         assert refused.status == 1 and not file.exists(), text
-        assert "an earlier recording, which no command ends: wait until it is over" in text
+        # A busy machine may delay its data, so that only the refusal tells.
+        reasons = "an earlier recording, which no command ends", "WRONG_STATE; a recording of this"
+        assert any(reason in text for reason in reasons), text
         assert "a recording of this command lasts at most 60 s" in text
         # A busy machine may hear nothing of it; then the board refuses, and a guard stops again.
         other = "an earlier recording|is in use by|CMD_BODE_TEST_START_STOP: the board ref"
