@@ -51,7 +51,7 @@ extern "C" void pass_signal_on(int number) {
 extern "C" void take_key(int) { was_key_pressed = 1; }
 
 /// While it exists, signals for this program end the running command first, because the line
-/// carries its stop. Ctrl-C and Ctrl-Z are only for the command.
+/// carries its stop; then the shell ends. Ctrl-C and Ctrl-Z are only for the command.
 class SignalsOfCommand {
  public:
   SignalsOfCommand() {
@@ -71,7 +71,6 @@ class SignalsOfCommand {
     for (std::size_t i = 0; i < signals.size(); ++i) {
       ::sigaction(signals[i], &before_[i], nullptr);
     }
-    if (end_signal != 0) ::raise(end_signal);
   }
 
  private:
@@ -85,8 +84,8 @@ struct Ended {
   bool is_killed = false;
 };
 
-/// Runs this program with these arguments. With `has_input`, it reads the input of the shell. It
-/// describes its line as `line`, unless that is empty.
+/// Runs this program with these arguments, while SignalsOfCommand exists. With `has_input`, it
+/// reads the input of the shell. It describes its line as `line`, unless that is empty.
 Ended run_command(const std::vector<std::string>& arguments, bool has_input,
                   const std::string& line = "") {
   std::string name = "sbgc";
@@ -111,7 +110,6 @@ Ended run_command(const std::vector<std::string>& arguments, bool has_input,
   for (const int number : asking_signals()) sigaddset(&usual, number);
   posix_spawnattr_setsigdefault(&attributes, &usual);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
-  const SignalsOfCommand signals;
   pid_t process = -1;
   const int error = ::posix_spawn(&process, "/proc/self/exe", &files, &attributes, pointers.data(),
                                   environment.data());
@@ -121,6 +119,7 @@ Ended run_command(const std::vector<std::string>& arguments, bool has_input,
     throw CommandError(fmt::format("the command cannot be started: {}", std::strerror(error)));
   }
   running_command = process;
+  if (end_signal != 0) ::kill(process, end_signal);  // it may have come before the command
   int status = 0;
   while (::waitpid(process, &status, 0) < 0 && errno == EINTR) continue;
   running_command = 0;
@@ -201,6 +200,7 @@ class CommandShell {
         remark_failure(as_message(error.what()));
         status = error.status();
       }
+      if (end_signal != 0) return interrupted;
       if (status == success || editor.is_interactive()) continue;
       remark_failure(fmt::format("line {} failed; what follows was not run", number));
       return status;
@@ -234,11 +234,14 @@ class CommandShell {
     const bool needs_line =
         command.get_option_no_throw("--port") != nullptr && !has_own_gimbal(words);
     if (!needs_line || command.get_parent() == nullptr) {
+      const SignalsOfCommand signals;
       return run_command(words, has_input).status;
     }
     require_line();
     std::vector<std::string> arguments = options();
     arguments.insert(arguments.end(), words.begin(), words.end());
+    // Longer than the guard: a signal must not end this process before it releases the guard.
+    const SignalsOfCommand signals;
     // The guard of a command holds a place, which ends with this process.
     std::optional<Guard> guard;
     if (command.get_group() == "Move") {
@@ -249,6 +252,10 @@ class CommandShell {
     const Ended ended = run_command(arguments, has_input, line_->line());
     line_->close_place(ended.is_killed);
     line_->set_running(false);
+    if (ended.is_killed && end_signal != 0 && guard) {
+      line_.reset();  // so that only the guard holds the line
+      guard->leave_it_to_guard();
+    }
     return ended.status;
   }
 
