@@ -186,7 +186,7 @@ def test_the_camera_stops_whatever_is_killed(how: str) -> None:
         process.wait(30)
 
 
-@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP])
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP, signal.SIGINT, signal.SIGQUIT])
 def test_a_signal_for_the_shell_alone_interrupts_its_command(number: signal.Signals) -> None:
     with emulated_gimbal() as gimbal, observer_of(gimbal) as observer:
         process = turning_shell(gimbal.address)

@@ -41,28 +41,41 @@ constexpr const char* name_of_shell = "shell";
 volatile std::sig_atomic_t end_signal = 0;
 volatile std::sig_atomic_t was_key_pressed = 0;
 volatile std::sig_atomic_t running_command = 0;  // its process
+volatile std::sig_atomic_t early_signal = 0;     // came before the command
 // NOLINTEND(cppcoreguidelines-avoid-non-const-global-variables)
 
-extern "C" void pass_signal_on(int number) {
-  end_signal = number;
-  if (running_command > 0) ::kill(running_command, number);
-}
-// Ends the line being typed; while a command runs, does nothing: it gets the signal, too.
 extern "C" void take_key(int) { was_key_pressed = 1; }
+extern "C" void pass_signal_on(int number, siginfo_t* sender, void*) {
+  if (number == SIGTERM || number == SIGHUP) end_signal = number;
+  if (number == SIGINT) take_key(number);
+  // The keys of a terminal signal the command, too; a process may mean the shell alone.
+  const bool is_key = (number == SIGINT || number == SIGQUIT) && sender->si_code > 0;
+  if (running_command == 0) {
+    early_signal = number;
+  } else if (!is_key) {
+    ::kill(running_command, number);
+  }
+}
 
 /// While it exists, signals for this program end the running command first, because the line
-/// carries its stop; then the shell ends. Ctrl-C and Ctrl-Z are only for the command.
+/// carries its stop. After SIGTERM and SIGHUP, the shell ends, too; the keys of a terminal are only
+/// for the command.
 class SignalsOfCommand {
  public:
   SignalsOfCommand() {
+    early_signal = 0;
     for (std::size_t i = 0; i < signals.size(); ++i) {
       struct sigaction action {};
       const int number = signals[i];
       ::sigaction(number, nullptr, &before_[i]);
       if (number == SIGHUP && before_[i].sa_handler == SIG_IGN) continue;  // nohup
-      const bool ends_shell = number == SIGTERM || number == SIGHUP;
-      action.sa_handler = ends_shell ? pass_signal_on : number == SIGINT ? take_key : SIG_IGN;
-      ::sigaction(signals[i], &action, &before_[i]);
+      if (number == SIGTSTP) {
+        action.sa_handler = SIG_IGN;
+      } else {
+        action.sa_sigaction = pass_signal_on;
+        action.sa_flags = SA_SIGINFO;
+      }
+      ::sigaction(number, &action, nullptr);
     }
   }
   SignalsOfCommand(const SignalsOfCommand&) = delete;
@@ -119,7 +132,7 @@ Ended run_command(const std::vector<std::string>& arguments, bool has_input,
     throw CommandError(fmt::format("the command cannot be started: {}", std::strerror(error)));
   }
   running_command = process;
-  if (end_signal != 0) ::kill(process, end_signal);  // it may have come before the command
+  if (early_signal != 0) ::kill(process, early_signal);
   int status = 0;
   while (::waitpid(process, &status, 0) < 0 && errno == EINTR) continue;
   running_command = 0;
