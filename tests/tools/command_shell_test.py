@@ -170,13 +170,7 @@ def test_a_lost_connection_is_restored_by_the_next_command(tmp_path: Path) -> No
 @pytest.mark.parametrize("how", ["command", "shell", "group", "SIGTERM"])
 def test_the_camera_stops_whatever_is_killed(how: str) -> None:
     with emulated_gimbal() as gimbal, observer_of(gimbal) as observer:
-        process: subprocess.Popen[Any] = subprocess.Popen(
-            [PROGRAM, "shell", "-p", gimbal.address],
-            stdin=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True,
-        )  # fmt: skip
-        assert process.stdin is not None
-        process.stdin.write(TURN.encode())
-        process.stdin.flush()
+        process = turning_shell(gimbal.address)
         observer.await_motion()
         if how == "group":
             os.killpg(process.pid, signal.SIGKILL)
@@ -187,8 +181,34 @@ def test_the_camera_stops_whatever_is_killed(how: str) -> None:
         else:
             os.kill(command_of(process.pid), signal.SIGKILL)
         assert observer.stands_still_within(SOON)
+        assert process.stdin is not None
         process.stdin.close()
         process.wait(30)
+
+
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP, signal.SIGINT, signal.SIGQUIT])
+def test_a_signal_for_the_shell_alone_interrupts_its_command(number: signal.Signals) -> None:
+    with emulated_gimbal() as gimbal, observer_of(gimbal) as observer:
+        process = turning_shell(gimbal.address)
+        observer.await_motion()
+        process.send_signal(number)
+        _, error = process.communicate(timeout=30)
+        assert process.returncode == 130 and b"the camera has stopped" in error, error
+        # The guard of the shell does not end the motion of the next program.
+        result = run("speed", "--yaw", "20", "--for", "2s", "--yes", "-p", gimbal.address)
+        assert result.status == 0, result
+
+
+def turning_shell(address: str) -> subprocess.Popen[Any]:
+    """Starts a shell that turns the camera, and waits for more lines."""
+    process: subprocess.Popen[Any] = subprocess.Popen(
+        [PROGRAM, "shell", "-p", address],
+        stdin=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True,
+    )  # fmt: skip
+    assert process.stdin is not None
+    process.stdin.write(TURN.encode())
+    process.stdin.flush()
+    return process
 
 
 def command_of(shell_process: int) -> int:

@@ -311,6 +311,21 @@ def test_stops_succeed_on_a_line_that_loses_bytes() -> None:
         assert not observer.is_turning()
 
 
+@pytest.mark.parametrize("command", [("stop",), ("motors", "off", "--yes")])
+def test_a_port_that_vanishes_is_awaited(command: tuple[str, ...], tmp_path: Path) -> None:
+    link = tmp_path / "gimbal"
+    link.symlink_to("/dev/ptmx")  # a port that never answers
+    with start(*command, "-p", str(link), "--for", "1m") as process:
+        assert process.stderr is not None
+        while "not stopped yet" not in process.stderr.readline():
+            assert process.poll() is None
+        link.unlink()
+        while "not stopped yet: There is no port" not in process.stderr.readline():
+            assert process.poll() is None
+        with emulated_gimbal("--pty", "--link", str(link)):
+            assert process.wait(60) == 0
+
+
 @pytest.mark.parametrize("address", ["tcp:127.0.0.1", "/dev/does-not-exist"])
 def test_what_cannot_succeed_ends_at_once(address: str) -> None:
     begun = time.monotonic()

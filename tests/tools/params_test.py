@@ -155,10 +155,19 @@ def test_parameter_sets_that_only_one_backup_has(board: str, tmp_path: Path) -> 
         one for one in document["settings"] if (one["message"], one["copy"]) != ("ReadParams3", 4)
     ]
     fewer = tmp_path / "fewer.json"
-    fewer.write_text(json.dumps(document))
+    fewer.write_text(json.dumps(document), encoding="utf-8-sig")  # as some editors do
     for before, after, kind in ((both, fewer, "removed"), (fewer, both, "added")):
         said = run("params", "diff", str(before), str(after))
         assert said.status == 1 and f"\nReadParams3 of profile 5: {kind}\n" in said.text
+
+
+def test_a_difference_of_two_files_names_them(board: str, tmp_path: Path) -> None:
+    old, new = str(tmp_path / "old.json"), str(tmp_path / "new.json")
+    good(board, "backup", old)
+    with emulated_gimbal("--firmware", "2.70") as newer:
+        good(newer.address, "backup", new)
+    said = run("params", "diff", old, new).error
+    assert f"the board of {new} has the firmware 2.70, {old} is of 2.59" in words(said)
 
 
 def test_disk_full_leaves_no_file(board: str, tmp_path: Path) -> None:

@@ -134,7 +134,7 @@ def test_a_terminal_whose_program_does_not_read_a_bootloader_is_replaced(tmp_pat
 
 
 def test_a_replay_waits_for_slow_hosts_but_not_for_ever(tmp_path: Path) -> None:
-    sends = numbered_bytes(32 << 20)
+    sends = frame(73) + numbered_bytes(32 << 20)
     (tmp_path / "bytes").write_bytes(sends)
     with subprocess.Popen(
         [PROGRAM, "replay", str(tmp_path / "bytes"), "--tcp", "0"],

@@ -165,6 +165,44 @@ def test_record_replays_and_decodes(tmp_path: Path) -> None:
     assert keys(lines, "message") == [("GetAngles",), ("GetAngles",)]
 
 
+def test_a_damaged_capture_is_no_whole_one(tmp_path: Path) -> None:
+    damaged, copy = tmp_path / "in", tmp_path / "out"
+    damaged.write_bytes(CAPTURE[:-1])
+    reason = f"sbgc: {damaged} has damaged parts, which are left out: the last "
+    result = run("record", f"capture:{damaged}?timing=fast", str(copy))
+    assert result.status == 1 and reason.lower() in result.error.lower() and copy.exists(), result
+    with subprocess.Popen(
+        [PROGRAM, "replay", str(damaged), "--tcp", "0"],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    ) as process:
+        assert process.stdout is not None and process.stderr is not None
+        address = process.stdout.readline().split(": ", 1)[1].strip()
+        assert run("record", address, "-").status == 0
+        assert process.wait(timeout=20) == 1
+        assert "are left out: The last" in process.stderr.read()
+
+
+@pytest.mark.parametrize(
+    "content, reason",
+    [
+        (b"", "is empty"),
+        (b"a text, no capture\n", "is no capture, and has no frame"),
+        (CAPTURE[:24], "has no bytes of a board"),
+    ],
+)
+def test_what_has_nothing_to_replay_is_refused(content: bytes, reason: str, tmp_path: Path) -> None:
+    (tmp_path / "in").write_bytes(content)
+    for command in (
+        ("replay", str(tmp_path / "in"), "--tcp", "0"),
+        ("record", f"capture:{tmp_path / 'in'}", str(tmp_path / "out")),
+    ):
+        result = run(*command)
+        assert result.status == 1 and result.error == f"sbgc: {tmp_path / 'in'} {reason}\n"
+    assert not (tmp_path / "out").exists()
+
+
 def test_record_to_the_standard_output(tmp_path: Path) -> None:
     """Only the capture is written there, and it can be read while it grows."""
     (tmp_path / "in").write_bytes(CAPTURE)

@@ -16,6 +16,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <asio/io_context.hpp>
@@ -35,6 +36,7 @@
 #include <sbgc/io/recorder.hpp>
 
 #include "board/connection.hpp"
+#include "bytes/capture_check.hpp"
 #include "command/background_output.hpp"
 #include "command/input_output.hpp"
 #include "command/interruption.hpp"
@@ -148,12 +150,20 @@ class Listener {
   std::string problem_;
 };
 
+/// Returns a message about the damage if a capture is at the address.
+std::string damage_at(const std::string& address) {
+  const io::AddressResult parsed = io::parse_address(address);
+  const auto* const capture = std::get_if<io::CaptureAddress>(&parsed.address);
+  return capture == nullptr ? "" : check_capture(capture->file);
+}
+
 int record_line(const RecordOptions& options) {
   asio::io_context context;
   RecordingEnd end(options.time);
   io::CaptureWriter writer(options.format(), end.descriptor());
   io::OpenResult opened = io::open(context.get_executor(), options.address);
   if (!opened) throw std::runtime_error(opened.error.message);
+  const std::string damage = damage_at(options.address);
   // Standard output then carries only the capture.
   const bool to_stdout = options.file == "-";
   const io::Error error =
@@ -185,6 +195,7 @@ int record_line(const RecordOptions& options) {
   }
   if (!file_problem.empty()) throw std::runtime_error(file_problem);
   if (!listener.problem().empty()) throw std::runtime_error(listener.problem());
+  if (!damage.empty()) throw CommandError(damage);
   if (listener.total() == 0) {
     remark("sbgc: nothing arrived; a board sends little unless it is asked, as by --stream\n");
   }

@@ -21,6 +21,7 @@
 #include <sbgc/io/replay.hpp>
 #include <sbgc/io/transport.hpp>
 
+#include "bytes/capture_check.hpp"
 #include "command/background_output.hpp"
 #include "command/interruption.hpp"
 #include "command/option_values.hpp"
@@ -187,7 +188,9 @@ int run_replay(const ReplayOptions& options) {
   io::OpenResult capture =
       io::open_replay(loop.get_executor(), options.file, io::ReplayTiming::original, options.speed);
   if (!capture) throw CommandError(without_period(capture.error.message));
+  const std::string damage = check_capture(options.file);
   remark_in_background();
+  if (!damage.empty()) remark_warning(damage);
   const auto log = [](const std::string& text) { remark("sbgc: {}\n", text); };
   asio::signal_set signals(loop);
   for (const int signal : asking_signals()) signals.add(signal);
@@ -205,7 +208,7 @@ int run_replay(const ReplayOptions& options) {
       open_places(loop.get_executor(), ports, options.places, places_of_each, "replay", {log, log});
   loop.run();
   finish_stdout();
-  return success;
+  return damage.empty() ? success : failure;
 }
 
 }  // namespace
@@ -225,7 +228,8 @@ void add_replay(CLI::App& app, CommandContext& context) {
       "Programs that connect get the bytes of the board at the recorded times, counted from the "
       "first connection; their own bytes are ignored. By default it opens a pseudo-terminal. For "
       "sbgc itself, the address capture:FILE does the same. The exit status is 0 after the end "
-      "of the capture or Ctrl-C, 1 if the file or a place cannot be opened, 2 for wrong usage.");
+      "of the capture or Ctrl-C, 1 if the file is damaged, or has nothing to replay, or a place "
+      "cannot be opened, 2 for wrong usage.");
   command.examples({"sbgc replay capture --tcp 5000"});
   command.runs([](ReplayOptions& chosen) {
     if (chosen.places.empty()) chosen.places.terminal = true;

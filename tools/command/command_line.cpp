@@ -242,6 +242,11 @@ std::string in_words(const CLI::App& command, const std::string& message) {
     return fmt::format("{} must be {}, not '{}'", shown_name(command, found->at(0)),
                        detail::alternatives(words, false), found->at(1));
   }
+  if (const auto found = between(message, {"", ": At Most ", " required but received ", ""})) {
+    return fmt::format("{} is given {}{}", shown_name(command, found->at(0)),
+                       found->at(2) == "2" ? "twice" : found->at(2) + " times",
+                       found->at(1) == "1" ? "" : ", at most " + found->at(1) + " are possible");
+  }
   if (const auto found = between(message, {"", ": must ", ""})) {
     return fmt::format("{} must {}", shown_name(command, found->at(0)), found->at(1));
   }

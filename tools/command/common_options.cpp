@@ -32,6 +32,10 @@ std::string address_syntax() {
 
 }  // namespace
 
+std::string why_not_empty(const std::string& value) {
+  return value.empty() ? "must not be empty, as an unset variable of a shell is" : "";
+}
+
 std::string words_of(const GimbalOptions& options) {
   std::string words;
   const auto add = [&](const char* name, const std::string& value) {
@@ -49,8 +53,10 @@ void add_gimbal_options(CLI::App& command, GimbalOptions& options) {
   };
   add("-p,--port", options.port, "ADDRESS",
       "Address of the gimbal: " + address_syntax() +
-          ". By default, the only gimbal found on the serial ports");
-  add("-g,--gimbal", options.name, "GIMBAL", "Name of the gimbal in the configuration file");
+          ". By default, the only gimbal found on the serial ports")
+      ->check(why_not_empty);
+  add("-g,--gimbal", options.name, "GIMBAL", "Name of the gimbal in the configuration file")
+      ->check(why_not_empty);
   add_duration(command, "--timeout", options.timeout,
                "The longest time to connect (20s), and to wait for a response (as specified for "
                "the command)")

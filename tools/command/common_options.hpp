@@ -27,6 +27,9 @@ struct GimbalOptions {
   std::shared_ptr<std::atomic<bool>> has_lost_capture = std::make_shared<std::atomic<bool>>(false);
 };
 
+/// Checks an option or argument that names a gimbal: nothing would stand for any gimbal.
+std::string why_not_empty(const std::string& value);
+
 /// Returns the options that name the same gimbal on another command line: " -p ADDRESS".
 std::string words_of(const GimbalOptions& options);
 

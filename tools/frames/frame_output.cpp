@@ -13,6 +13,7 @@
 #include <sbgc/value_text.hpp>
 
 #include "command/command_error.hpp"
+#include "command/remark.hpp"
 #include "command/wording.hpp"
 #include "frames/frame_text.hpp"
 #include "values/field_lookup.hpp"
@@ -79,13 +80,20 @@ bool FrameOutput::print(const Frame& frame, std::optional<Direction> direction,
 }
 
 void FrameOutput::end() {
-  if (has_frames_ && !has_printed_) put_remark("none of them is selected\n");
+  if (!has_frames_ || has_printed_) return;
+  put_remark("none of them is selected\n");
+  if (options_.format == OutputFormat::csv) end_empty_table();
+}
+
+void FrameOutput::end_empty_table() {
+  remark("sbgc: none of the frames is selected\n");
+  DecodedFrame none;
+  none.message = options_.filter.known_table();
+  if (none.message != nullptr) begin_table(none);
 }
 
 void FrameOutput::put_csv(const DecodedFrame& decoded, const CapturePlace* place) {
-  if (table_ == nullptr) {
-    begin_table(decoded, place != nullptr ? SampleKey::time : SampleKey::offset);
-  }
+  if (table_ == nullptr) begin_table(decoded);
   require_same_columns(decoded);
   const double key =
       place != nullptr ? place->since_start : static_cast<double>(decoded.frame.offset);
@@ -96,7 +104,8 @@ void FrameOutput::put_csv(const DecodedFrame& decoded, const CapturePlace* place
   }));
 }
 
-void FrameOutput::begin_table(const DecodedFrame& decoded, SampleKey key) {
+void FrameOutput::begin_table(const DecodedFrame& decoded) {
+  const SampleKey key = has_times_ ? SampleKey::time : SampleKey::offset;
   std::vector<StreamField> columns;
   for_each_value(decoded, [&](const Leaf& leaf, bool) {
     if (leaf.field.reserved) return;
@@ -261,6 +270,20 @@ void FrameFilter::add_condition(const std::string& text) {
       messages_, [&](const MessageInfo* message) { return added.concerns(*message); });
   if (can_hold || messages_.empty() || !ids_.empty()) return;
   throw ValueError(fmt::format("the selected messages have no such field: '{}'", clipped(text)));
+}
+
+const MessageInfo* FrameFilter::known_table() const {
+  const MessageInfo* found = nullptr;
+  for (const MessageInfo* const message : messages_) {
+    std::vector<FieldType> fields = find_message(message->name)->fields();
+    std::erase_if(fields, [](const FieldType& field) { return field.is_tail(); });
+    if (fields.empty() || message == found) continue;
+    const bool varies = std::ranges::any_of(
+        fields, [](const FieldType& field) { return field.is_optional || field.size == 0; });
+    if (varies || found != nullptr) return nullptr;
+    found = message;
+  }
+  return ids_.empty() ? found : nullptr;
 }
 
 bool FrameFilter::wants(const DecodedFrame& frame) const {

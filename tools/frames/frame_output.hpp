@@ -62,6 +62,10 @@ class FrameFilter {
   /// the condition.
   void add_condition(const std::string& text);
 
+  /// Returns the only selected message with values, if they are the same in all bodies; otherwise
+  /// null.
+  const MessageInfo* known_table() const;
+
   bool is_empty() const { return messages_.empty() && ids_.empty() && conditions_.empty(); }
   /// True if fields() of a decoded frame are needed.
   bool needs_fields() const { return !conditions_.empty(); }
@@ -111,10 +115,13 @@ class FrameOutput {
   }
   /// True if there were frames, but none could be decoded.
   bool is_unreadable() const { return has_frames_ && readable_ == 0; }
-  /// Reports in the text format if no frame was selected.
+  /// Reports in the formats for people if no frame was selected; the table in CSV gets its header.
   void end();
-  /// Forgets the context of earlier frames.
-  void begin_session() { decoder_ = new_decoder_; }
+  /// Begins a session of a capture, and forgets the context of earlier frames.
+  void begin_session() {
+    decoder_ = new_decoder_;
+    has_times_ = true;
+  }
 
   /// Prints text, in the text format only.
   void put_remark(std::string_view text) {
@@ -124,7 +131,8 @@ class FrameOutput {
  private:
   FrameDecoder::Wanted wanted() const;
   void put_csv(const DecodedFrame& decoded, const CapturePlace* place);
-  void begin_table(const DecodedFrame& decoded, SampleKey key);
+  void begin_table(const DecodedFrame& decoded);
+  void end_empty_table();
   void require_same_columns(const DecodedFrame& decoded) const;
 
   FrameOutputOptions options_;
@@ -132,6 +140,7 @@ class FrameOutput {
   Colors colors_{stdout};
   bool has_frames_ = false;
   bool has_printed_ = false;
+  bool has_times_ = false;      // of a capture
   std::uint64_t readable_ = 0;  // the number of frames that can be decoded
   FrameDecoder new_decoder_;
   FrameDecoder decoder_ = new_decoder_;

@@ -79,11 +79,12 @@ class Reporter {
   std::jthread thread_;
 };
 
-/// True if retrying is pointless. `detail` is the error number of the system.
-bool is_hopeless(const ClientError& error) {
+/// True if retrying is pointless. `detail` is the error number of the system. A device that was
+/// there comes back when it is plugged in again, at first without permissions.
+bool is_hopeless(const ClientError& error, bool was_there) {
   constexpr std::array causes{EACCES, EPERM, ENOENT, ENODEV, ENXIO, ENOTTY};
   return error.code == ErrorCode::invalid || error.code == ErrorCode::unsupported ||
-         std::ranges::count(causes, error.detail) != 0;
+         (!was_there && std::ranges::count(causes, error.detail) != 0);
 }
 
 }  // namespace
@@ -114,6 +115,7 @@ Client insist(const LineChoice& line, OwedStop owed,
   Reporter reporter;
   std::optional<Client> client;
   ClientError last;
+  bool was_there = false;  // the device of the line
   do {
     if (!client) {
       ConnectOptions options = line.options;
@@ -122,12 +124,14 @@ Client insist(const LineChoice& line, OwedStop owed,
       Result<Client> connected = Client::connect(line.address, options);
       if (!connected) {
         last = connected.error();
-        if (is_hopeless(last)) fail(last);
+        if (is_hopeless(last, was_there)) fail(last);
+        was_there = true;
         reporter.now(last.message);
         std::this_thread::sleep_for(pause);
         continue;
       }
       client.emplace(*std::move(connected));
+      was_there = true;
       reporter.now("waiting for the board");
     }
     const auto began = Clock::now();

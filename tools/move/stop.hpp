@@ -19,7 +19,7 @@ void add_insistence(CLI::App& command, std::optional<std::chrono::milliseconds>&
 /// Connects, and attempts the stop `owed` until it is done or `time` is over, which is 10 s by
 /// default; 0 means one attempt. Reports its actions each second. Ctrl-C and SIGTERM end the
 /// process. Returns the client. Throws CommandError if the camera may still be turning; at once if
-/// there is no such device, or no permission for it.
+/// there is no such device at the start, or no permission for it.
 Client insist(const LineChoice& line, OwedStop owed, std::optional<std::chrono::milliseconds> time);
 
 }  // namespace sbgc::tools

@@ -195,6 +195,7 @@ void add_bridge(CLI::App& app, CommandContext& context) {
                                           "Share one gimbal between several programs");
   auto& options = command.options();
   command->add_option("address", options.address, "The address of the gimbal, as in --port")
+      ->check(why_not_empty)
       ->type_name("ADDRESS");
   add_places(*command, options.places);
   add_listen(*command, "--ws", options.web_sockets,

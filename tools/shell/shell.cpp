@@ -41,28 +41,41 @@ constexpr const char* name_of_shell = "shell";
 volatile std::sig_atomic_t end_signal = 0;
 volatile std::sig_atomic_t was_key_pressed = 0;
 volatile std::sig_atomic_t running_command = 0;  // its process
+volatile std::sig_atomic_t early_signal = 0;     // came before the command
 // NOLINTEND(cppcoreguidelines-avoid-non-const-global-variables)
 
-extern "C" void pass_signal_on(int number) {
-  end_signal = number;
-  if (running_command > 0) ::kill(running_command, number);
-}
-// Ends the line being typed; while a command runs, does nothing: it gets the signal, too.
 extern "C" void take_key(int) { was_key_pressed = 1; }
+extern "C" void pass_signal_on(int number, siginfo_t* sender, void*) {
+  if (number == SIGTERM || number == SIGHUP) end_signal = number;
+  if (number == SIGINT) take_key(number);
+  // The keys of a terminal signal the command, too; a process may mean the shell alone.
+  const bool is_key = (number == SIGINT || number == SIGQUIT) && sender->si_code > 0;
+  if (running_command == 0) {
+    early_signal = number;
+  } else if (!is_key) {
+    ::kill(running_command, number);
+  }
+}
 
 /// While it exists, signals for this program end the running command first, because the line
-/// carries its stop. Ctrl-C and Ctrl-Z are only for the command.
+/// carries its stop. After SIGTERM and SIGHUP, the shell ends, too; the keys of a terminal are only
+/// for the command.
 class SignalsOfCommand {
  public:
   SignalsOfCommand() {
+    early_signal = 0;
     for (std::size_t i = 0; i < signals.size(); ++i) {
       struct sigaction action {};
       const int number = signals[i];
       ::sigaction(number, nullptr, &before_[i]);
       if (number == SIGHUP && before_[i].sa_handler == SIG_IGN) continue;  // nohup
-      const bool ends_shell = number == SIGTERM || number == SIGHUP;
-      action.sa_handler = ends_shell ? pass_signal_on : number == SIGINT ? take_key : SIG_IGN;
-      ::sigaction(signals[i], &action, &before_[i]);
+      if (number == SIGTSTP) {
+        action.sa_handler = SIG_IGN;
+      } else {
+        action.sa_sigaction = pass_signal_on;
+        action.sa_flags = SA_SIGINFO;
+      }
+      ::sigaction(number, &action, nullptr);
     }
   }
   SignalsOfCommand(const SignalsOfCommand&) = delete;
@@ -71,7 +84,6 @@ class SignalsOfCommand {
     for (std::size_t i = 0; i < signals.size(); ++i) {
       ::sigaction(signals[i], &before_[i], nullptr);
     }
-    if (end_signal != 0) ::raise(end_signal);
   }
 
  private:
@@ -85,8 +97,8 @@ struct Ended {
   bool is_killed = false;
 };
 
-/// Runs this program with these arguments. With `has_input`, it reads the input of the shell. It
-/// describes its line as `line`, unless that is empty.
+/// Runs this program with these arguments, while SignalsOfCommand exists. With `has_input`, it
+/// reads the input of the shell. It describes its line as `line`, unless that is empty.
 Ended run_command(const std::vector<std::string>& arguments, bool has_input,
                   const std::string& line = "") {
   std::string name = "sbgc";
@@ -111,7 +123,6 @@ Ended run_command(const std::vector<std::string>& arguments, bool has_input,
   for (const int number : asking_signals()) sigaddset(&usual, number);
   posix_spawnattr_setsigdefault(&attributes, &usual);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
-  const SignalsOfCommand signals;
   pid_t process = -1;
   const int error = ::posix_spawn(&process, "/proc/self/exe", &files, &attributes, pointers.data(),
                                   environment.data());
@@ -121,6 +132,7 @@ Ended run_command(const std::vector<std::string>& arguments, bool has_input,
     throw CommandError(fmt::format("the command cannot be started: {}", std::strerror(error)));
   }
   running_command = process;
+  if (early_signal != 0) ::kill(process, early_signal);
   int status = 0;
   while (::waitpid(process, &status, 0) < 0 && errno == EINTR) continue;
   running_command = 0;
@@ -201,6 +213,7 @@ class CommandShell {
         remark_failure(as_message(error.what()));
         status = error.status();
       }
+      if (end_signal != 0) return interrupted;
       if (status == success || editor.is_interactive()) continue;
       remark_failure(fmt::format("line {} failed; what follows was not run", number));
       return status;
@@ -234,11 +247,14 @@ class CommandShell {
     const bool needs_line =
         command.get_option_no_throw("--port") != nullptr && !has_own_gimbal(words);
     if (!needs_line || command.get_parent() == nullptr) {
+      const SignalsOfCommand signals;
       return run_command(words, has_input).status;
     }
     require_line();
     std::vector<std::string> arguments = options();
     arguments.insert(arguments.end(), words.begin(), words.end());
+    // Longer than the guard: a signal must not end this process before it releases the guard.
+    const SignalsOfCommand signals;
     // The guard of a command holds a place, which ends with this process.
     std::optional<Guard> guard;
     if (command.get_group() == "Move") {
@@ -249,6 +265,10 @@ class CommandShell {
     const Ended ended = run_command(arguments, has_input, line_->line());
     line_->close_place(ended.is_killed);
     line_->set_running(false);
+    if (ended.is_killed && end_signal != 0 && guard) {
+      line_.reset();  // so that only the guard holds the line
+      guard->leave_it_to_guard();
+    }
     return ended.status;
   }
 

@@ -16,6 +16,7 @@ namespace sbgc::detail {
 /// Parses a JSON object with this `format`. Fails with ErrorCode::bad_file for anything other than
 /// `what`, such as "an sbgc backup".
 inline Result<Json> parse_own_json(std::string_view text, const char* format, const char* what) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // an editor wrote it
   const auto refused = [&](std::string_view kind) {
     return ClientError{ErrorCode::bad_file, "this is " + std::string(kind) + ", not " + what};
   };
