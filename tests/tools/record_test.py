@@ -188,7 +188,7 @@ def test_a_damaged_capture_is_no_whole_one(tmp_path: Path) -> None:
     "content, reason",
     [
         (b"", "is empty"),
-        (b"a text, no capture\n", "is no capture, and has no frame"),
+        (b"a text, no capture\n", "is not a capture, and contains no frame"),
         (CAPTURE[:24], "has no bytes of a board"),
     ],
 )

@@ -69,7 +69,7 @@ std::string check_capture(const std::string& file) {
   if (block.empty()) throw CommandError(fmt::format("{} is empty", file));
   if (!io::is_capture(block)) {
     if (has_frame(input, block)) return "";
-    throw CommandError(fmt::format("{} is no capture, and has no frame", file));
+    throw CommandError(fmt::format("{} is not a capture, and contains no frame", file));
   }
   CaptureCheck check;
   for (; !block.empty(); block = input.read()) check.feed(block);

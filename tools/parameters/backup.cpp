@@ -277,17 +277,6 @@ Backup as_backup(ParametersFile& file, const Backup& other, std::uint8_t target)
   return result;
 }
 
-/// Names the files in a text that is about a board and a backup.
-std::string naming_files(const std::string& mismatch, const std::vector<std::string>& files) {
-  const std::string_view of_board = "the board";
-  const std::string_view of_backup = "the backup";
-  std::string result = mismatch;
-  const std::size_t at = result.find(of_backup);
-  if (at != std::string::npos) result.replace(at, of_backup.size(), files[0]);
-  if (result.starts_with(of_board)) result.insert(of_board.size(), " of " + files[1]);
-  return result;
-}
-
 int compare(const DiffOptions& options, const CommandContext& context) {
   if (options.defaults) return compare_with_defaults(options, context);
   std::vector<ParametersFile> files;
@@ -315,10 +304,11 @@ int compare(const DiffOptions& options, const CommandContext& context) {
     after = read_backup(client);
     before = as_backup(files[0], after, target);
   }
-  for (std::string mismatch : mismatches(after.board, before.board)) {
-    if (files.size() > 1) mismatch = naming_files(mismatch, options.files);
-    remark("note: {}\n", mismatch);
-  }
+  const auto notes = files.size() == 1
+                         ? mismatches(after.board, before.board)
+                         : mismatches(after.board, before.board, "the board of " + options.files[1],
+                                      options.files[0]);
+  for (const std::string& note : notes) remark("note: {}\n", note);
   return report_differences(options, changes_of(before, after), options.files[0], name);
 }
 

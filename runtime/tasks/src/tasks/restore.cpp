@@ -12,22 +12,30 @@ namespace sbgc {
 
 namespace {
 
-std::string allow_other_model(const BoardIdentity& board, const BoardIdentity& backup) {
+/// The names of both in messages.
+struct Names {
+  std::string board = "the board";
+  std::string backup = "the backup";
+};
+
+std::string allow_other_model(const BoardIdentity& board, const BoardIdentity& backup,
+                              const Names& names = {}) {
   if (board.versions().board == backup.versions().board) return "";
-  return fmt::format("the board is a {}, the backup is of a {}", board.board_version(),
+  return fmt::format("{} is a {}, {} is of a {}", names.board, board.board_version(), names.backup,
                      backup.board_version());
 }
 
-std::string allow_other_firmware(const BoardIdentity& board, const BoardIdentity& backup) {
+std::string allow_other_firmware(const BoardIdentity& board, const BoardIdentity& backup,
+                                 const Names& names = {}) {
   const bool is_other = board.versions().firmware != backup.versions().firmware;
   const bool is_special = board.info.frw_extra_id != backup.info.frw_extra_id;
   if (is_other) {
-    return fmt::format("the board has the firmware {}, the backup is of {}",
-                       board.firmware_version(), backup.firmware_version());
+    return fmt::format("{} has the firmware {}, {} is of {}", names.board, board.firmware_version(),
+                       names.backup, backup.firmware_version());
   }
   if (!is_special) return "";
-  return fmt::format("the board has the special firmware {:#x}, the backup is of {:#x}",
-                     board.info.frw_extra_id, backup.info.frw_extra_id);
+  return fmt::format("{} has the special firmware {:#x}, {} is of {:#x}", names.board,
+                     board.info.frw_extra_id, names.backup, backup.info.frw_extra_id);
 }
 
 /// Returns the difference between the backup and what was saved; "" if it is complete.
@@ -45,9 +53,11 @@ std::vector<ParametersId> left_alone(const BoardIdentity& board, const Backup& b
   return result;
 }
 
-std::vector<std::string> mismatches(const BoardIdentity& board, const BoardIdentity& backup) {
-  std::vector<std::string> result{allow_other_model(board, backup),
-                                  allow_other_firmware(board, backup)};
+std::vector<std::string> mismatches(const BoardIdentity& board, const BoardIdentity& backup,
+                                    const std::string& board_name, const std::string& backup_name) {
+  const Names names{board_name, backup_name};
+  std::vector<std::string> result{allow_other_model(board, backup, names),
+                                  allow_other_firmware(board, backup, names)};
   std::erase(result, "");
   return result;
 }

@@ -58,7 +58,9 @@ Result<Backup> parse_backup(std::string_view text);
 
 /// Returns the reasons why the parameters do not fit this board, e.g. "the board is a 3.1, the
 /// backup is of a 3.0". A board of the same model with the same firmware fits.
-std::vector<std::string> mismatches(const BoardIdentity& board, const BoardIdentity& backup);
+std::vector<std::string> mismatches(const BoardIdentity& board, const BoardIdentity& backup,
+                                    const std::string& board_name = "the board",
+                                    const std::string& backup_name = "the backup");
 
 /// Returns the parameters of this board that the backup does not hold: restoring leaves them alone.
 std::vector<ParametersId> left_alone(const BoardIdentity& board, const Backup& backup);
