@@ -1,5 +1,7 @@
 // Tests of the client with completion tokens.
 
+#include <stdexcept>
+
 #include <asio/awaitable.hpp>
 #include <asio/bind_cancellation_slot.hpp>
 #include <asio/bind_executor.hpp>
@@ -286,6 +288,30 @@ TEST_F(Async, CancellingATaskEndsWhatItWaitsFor) {
             ErrorCode::cancelled);
   EXPECT_EQ(cancel([&](auto token) { client->async_run(sleep_long(), token); }),
             ErrorCode::cancelled);
+}
+
+Task<Result<void>> throw_soon() {
+  const TaskMachine& task = co_await tasks::this_task();
+  static_cast<void>(co_await tasks::wait_until(task.now() + sbgc::milliseconds(1)));
+  throw std::domain_error("of a handler");
+}
+
+TEST_F(Async, AnExceptionOfAHandlerEndsOnlyItsTask) {
+  asio::io_context context;
+  AsyncClient one(context.get_executor());
+  const auto run_until = [&](const bool& is_over) {
+    while (!is_over) context.run_one();
+  };
+  bool is_connected = false;
+  bool is_done = false;
+  bool is_answered = false;
+  one.async_connect_over(over_line(board), quick(), [&](const auto&) { is_connected = true; });
+  run_until(is_connected);
+  one.async_run(throw_soon(), [&](const auto&) { is_done = true; });
+  EXPECT_THROW(run_until(is_done), std::domain_error);
+  one.async_call(msg::BoardInfoRequest{}, [&](const auto&) { is_answered = true; });
+  run_until(is_answered);
+  EXPECT_FALSE(is_done);
 }
 
 TEST_F(Async, DestroyingTheClientEndsItsTasks) {

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <stdexcept>
 
 #include <sbgc/client/motion.hpp>
 
@@ -153,6 +154,16 @@ TEST_F(MotionTest, CanBeCancelled) {
   MoveOptions settings;
   settings.progress = [](const MoveProgress& seen) { return seen.remaining.pitch > 10; };
   EXPECT_THAT(move_to({.pitch = 20_deg}, settings), fails(ErrorCode::cancelled));
+  EXPECT_EQ(last_control().control_mode.mode(), msg::ControlModeKind::speed);
+}
+
+TEST_F(MotionTest, AnExceptionOfItsHandlerStopsTheCamera) {
+  MoveOptions settings;
+  settings.progress = [](const MoveProgress& seen) {
+    if (seen.remaining.pitch <= 10) throw std::domain_error("of the handler");
+    return true;
+  };
+  EXPECT_THROW(static_cast<void>(move_to({.pitch = 20_deg}, settings)), std::domain_error);
   EXPECT_EQ(last_control().control_mode.mode(), msg::ControlModeKind::speed);
 }
 

@@ -199,7 +199,15 @@ void AsioDriver::input_arrived() {
 
 void AsioDriver::proceed() {
   if (!done_) return;
+  // If a handler throws, the task is over.
+  const auto give_up = [](AsioDriver* driver) {
+    driver->timer_.cancel();
+    driver->end();
+    driver->done_ = nullptr;
+  };
+  std::unique_ptr<AsioDriver, decltype(give_up)> ending(this, give_up);
   const TaskStep step = advance([this] { return timer_.now(); });
+  static_cast<void>(ending.release());
   if (step.kind == TaskStep::Kind::done) {
     timer_.cancel();
     end();

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <exception>
 #include <limits>
 #include <optional>
 #include <string>
@@ -71,6 +72,13 @@ class Move {
 
   bool was_sent() const noexcept { return sent_; }
 
+  /// Throws the exception of the progress handler, if there was one.
+  void rethrow() const {
+#if defined(__cpp_exceptions)
+    if (exception_) std::rethrow_exception(exception_);
+#endif
+  }
+
   /// Sends the target, and waits until the camera turns to it or, `to_the_end`, is there.
   Task<Result<MoveProgress>> run(bool to_the_end) {
     Instant close_since = Instant::never;
@@ -86,7 +94,7 @@ class Move {
       if (refused && sent_) co_return ended(*refused, "sending the target");
       const Instant now = task_.now();
       see(*state, now);
-      if (to_the_end && options_.progress && !options_.progress(*seen_)) {
+      if (to_the_end && options_.progress && !goes_on()) {
         co_return ended({ErrorCode::cancelled, ""});
       }
       if (const auto over = follow(*state, now)) co_return *over;
@@ -113,6 +121,19 @@ class Move {
   }
 
  private:
+  /// Calls the progress handler. The camera stops before an exception goes on.
+  bool goes_on() {
+#if defined(__cpp_exceptions)
+    try {
+      return options_.progress(*seen_);
+    } catch (...) {
+      exception_ = std::current_exception();
+      return false;
+    }
+#else
+    return options_.progress(*seen_);
+#endif
+  }
   /// The target is not sent after the patience of its beginning.
   CallOptions options_of_poll() const {
     CallOptions options = detail::options_within(deadline_);
@@ -285,6 +306,9 @@ class Move {
   msg::GetAngles last_{};    // the last change
   Instant rest_since_{};     // that change
   std::optional<MoveProgress> seen_{};
+#if defined(__cpp_exceptions)
+  std::exception_ptr exception_{};
+#endif
 };
 
 Result<void> check(const MoveTarget& target, const MoveOptions& options) {
@@ -339,7 +363,9 @@ Task<Result<MoveProgress>> move_to(MoveTarget target, MoveOptions options) {
   if (const Result<void> checked = check(target, options); !checked) co_return checked.error();
   Move move(co_await this_task(), target, options);
   Result<MoveProgress> result = co_await move.run(true);
-  co_return co_await finish(std::move(result), move.was_sent(), options.stop_on_failure);
+  result = co_await finish(std::move(result), move.was_sent(), options.stop_on_failure);
+  move.rethrow();
+  co_return result;
 }
 
 Task<Result<MoveProgress>> begin_move(MoveTarget target, MoveOptions options) {
