@@ -85,6 +85,20 @@ test("each wrong value is named", async () => {
   await assert.rejects(sdk.emulator({ faults: ["low-batery"] }), /low-battery/);
 });
 
+test("a response is decoded with its request, and what is no number moves nothing", async () => {
+  const board = await sdk.emulator();
+  const gimbal = await sdk.connect(board);
+  const { fields } = await gimbal.call("RealtimeDataCustomRequest", { flags: ["IMU_ANGLES"] });
+  assert.equal(fields.imu_angles.pitch, fields.imu_angles?.pitch ?? NaN);
+  await gimbal.call("SetAdjVarsVal", { params: [{ param_id: 14, param_value: 50 }] });
+  const { fields: values } = await gimbal.call("GetAdjVarsVal", { param_id: [14] });
+  assert.equal(values.params[0].param_value, 50);
+  await assert.rejects(gimbal.move({ pitch: null }), /pitch: a number is needed/);
+  await gimbal.close();
+  board.close();
+  assert.throws(() => board.change({}), /is off/);
+});
+
 test("an action that cannot be carried out rejects, and so does all that waits at the end", async () => {
   const board = await sdk.emulator();
   const gimbal = await sdk.connect(board);

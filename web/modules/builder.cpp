@@ -171,6 +171,17 @@ void encode(std::string_view input, JsonWriter& out) {
   put_result(out, frame, problems);
 }
 
+std::string defaults_of(const MessageType& type) {
+  std::string json = new_message(type).to_json();
+  for (const FieldType& field : type.fields()) {
+    if (!field.is_counter) continue;
+    const std::size_t at = json.find('"' + std::string(field.name) + "\":");
+    const std::size_t end = json.find_first_of(",}", at);
+    if (end < json.size()) json.erase(at, end - at + (json[end] == ',' ? 1 : 0));
+  }
+  return json;
+}
+
 /// The output is the object whose members `put` writes.
 void answer(void (*put)(std::string_view input, JsonWriter& out)) {
   exchange().output.clear();
@@ -187,10 +198,11 @@ SBGC_EXPORT(build) void sbgc_build() { sbgc::tools::answer(sbgc::tools::build); 
 /// Makes the frame of a message in JSON.
 SBGC_EXPORT(encode) void sbgc_encode() { sbgc::tools::answer(sbgc::tools::encode); }
 
-/// Writes a new message as JSON; nothing if there is no such message.
+/// Writes a new message as JSON, without the counters of lists; nothing if there is no such
+/// message.
 SBGC_EXPORT(defaults) void sbgc_defaults() {
   const sbgc::MessageType* const type = sbgc::find_message(sbgc::web::input_text());
-  sbgc::tools::exchange().output = type == nullptr ? "" : sbgc::tools::new_message(*type).to_json();
+  sbgc::tools::exchange().output = type == nullptr ? "" : sbgc::tools::defaults_of(*type);
 }
 
 /// Lists the names of all messages, one a line, '>' before those that are sent to the board.

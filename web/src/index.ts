@@ -79,6 +79,7 @@ export class Emulator implements Streams {
     });
     this.writable = new WritableStream({
       write: (bytes) => {
+        this.#requireOn();
         this.#board.receive(bytes, now());
         this.#timer.run();
       },
@@ -94,6 +95,7 @@ export class Emulator implements Streams {
 
   /** Replaces the motion of the frame, and the faults of board and line. */
   change(options: EmulatorOptions): void {
+    this.#requireOn();
     this.#board.change(options, now());
     this.#timer.run();
   }
@@ -102,6 +104,10 @@ export class Emulator implements Streams {
   close(): void {
     this.#timer.stop();
     this.#arrived = undefined;
+  }
+
+  #requireOn(): void {
+    if (this.#arrived === undefined) throw new Error("the emulated board is off");
   }
 }
 
@@ -120,7 +126,10 @@ export interface AxisValues {
 const settings = (values: object): string =>
   Object.entries(values)
     .filter(([, value]) => value !== undefined)
-    .map(([name, value]) => ` ${name}=${Number(value)}`)
+    .map(([name, value]: [string, unknown]) => {
+      if (typeof value !== "number") throw new TypeError(`${name}: a number is needed`);
+      return ` ${name}=${value}`;
+    })
     .join("");
 
 class StreamLine implements LineEnd {
@@ -155,7 +164,9 @@ class StreamLine implements LineEnd {
   async close(): Promise<void> {
     await this.#reader.cancel().catch(() => {});
     this.#reader.releaseLock();
-    await this.#writer.ready.catch(() => {});
+    // A line that takes no bytes must not keep its owner waiting.
+    const wait = new Promise((resolve) => setTimeout(resolve, 500));
+    await Promise.race([this.#writer.ready.catch(() => {}), wait]);
     this.#writer.releaseLock();
   }
 }
@@ -200,10 +211,17 @@ export class Gimbal {
     name: Name,
     values?: Input<Requests[Name]>,
   ): Promise<Answers[Name]> {
-    const reply = await this.send(this.#messages.encode(name, values));
+    const request = this.#messages.encode(name, values);
+    const reply = await this.send(request);
     if (reply.kind !== "answered") return null as Answers[Name];
-    const [answer] = this.#messages.decode(reply.frame, "board");
-    return { message: answer?.message, fields: answer?.fields } as unknown as Answers[Name];
+    // The request may select what its response contains.
+    const both = this.#messages.decode(new Uint8Array([...request, ...reply.frame])).at(-1);
+    const alone = this.#messages.decode(reply.frame, "board")[0];
+    const answer = both?.direction === alone?.direction ? both : alone;
+    if (!answer?.fields || answer.error) {
+      throw new Error(`the response cannot be decoded: ${answer?.error?.code ?? "unknown"}`);
+    }
+    return { message: answer.message, fields: answer.fields } as unknown as Answers[Name];
   }
 
   /** Sends the request in a frame. */
@@ -212,15 +230,15 @@ export class Gimbal {
   }
 
   /** Moves the camera to these angles. `speed` is in degrees per second; the parameters have the default. */
-  move(target: AxisValues & { speed?: number }): Promise<void> {
+  async move(target: AxisValues & { speed?: number }): Promise<void> {
     return this.#act(`move${settings(target)}`);
   }
 
   /**
-   * Turns for `seconds`, 0.5 by default; then the camera brakes. Resolves when the motion has begun.
-   * Repeat the call to continue.
+   * Turns for `seconds`, 0.5 by default; then the camera brakes. Resolves at once, and does not report
+   * whether the camera turns: see `view`. Repeat the call to continue.
    */
-  turn(speeds: AxisValues & { seconds?: number }): Promise<void> {
+  async turn(speeds: AxisValues & { seconds?: number }): Promise<void> {
     return this.#act(`turn${settings(speeds)}`);
   }
 
