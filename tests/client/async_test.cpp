@@ -298,20 +298,22 @@ Task<Result<void>> throw_soon() {
 
 TEST_F(Async, AnExceptionOfAHandlerEndsOnlyItsTask) {
   asio::io_context context;
-  AsyncClient one(context.get_executor());
+  client.emplace(context.get_executor());
   const auto run_until = [&](const bool& is_over) {
     while (!is_over) context.run_one();
   };
   bool is_connected = false;
   bool is_done = false;
   bool is_answered = false;
-  one.async_connect_over(over_line(board), quick(), [&](const auto&) { is_connected = true; });
+  client->async_connect_over(over_line(board), quick(), [&](const auto&) { is_connected = true; });
   run_until(is_connected);
-  one.async_run(throw_soon(), [&](const auto&) { is_done = true; });
+  client->async_run(throw_soon(), [&](const auto&) { is_done = true; });
   EXPECT_THROW(run_until(is_done), std::domain_error);
-  one.async_call(msg::BoardInfoRequest{}, [&](const auto&) { is_answered = true; });
+  client->async_call(msg::BoardInfoRequest{}, [&](const auto&) { is_answered = true; });
   run_until(is_answered);
   EXPECT_FALSE(is_done);
+  client.reset();
+  context.run();
 }
 
 TEST_F(Async, DestroyingTheClientEndsItsTasks) {
