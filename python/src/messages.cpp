@@ -148,7 +148,8 @@ void set_real(AnyMessage& message, std::string_view path, const py::object& valu
   std::string text = number_text(number);
   with_leaf(message, path, [&](const Leaf& leaf) {
     // Numbers that are computed may be too small; text must not be.
-    const bool is_zero = leaf.unit != nullptr && std::round(leaf.unit->raw(number)) == 0;
+    const bool has_steps = leaf.kind == LeafKind::integer && leaf.unit != nullptr;
+    const bool is_zero = has_steps && std::round(leaf.unit->raw(number)) == 0;
     const auto& special = leaf.field.special;
     if (is_zero && std::ranges::find(special, 0, &Special::value) == special.end()) {
       text = number_text(leaf.unit->real(0));

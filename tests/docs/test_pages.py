@@ -210,7 +210,8 @@ def test_search_shows_what_reads_and_what_writes_settings_as_one(
 
 
 def test_search_knows_versions_and_pages_of_their_own(files: Files, layout: Layout) -> None:
-    found = {entry.page: entry for entry in search_index(files) if entry.kind == "page"}
+    kinds = "page", "version"
+    found = {entry.page: entry for entry in search_index(files) if entry.kind in kinds}
     assert {"framing.html", "decoder.html", "availability.html", "errata.html"} <= set(found)
     for revision in layout.revisions:
         assert [e for e in found.values() if {"rev", revision.number} <= set(e.words)]

@@ -238,7 +238,7 @@ def test_the_terminal_of_the_shell_closes(
         terminal.await_text(b"sbgc> ")
         os.write(terminal.screen, b"params diff --defaults --yes\n")
         terminal.read_until(changes)
-        assert terminal.close() in (-signal.SIGHUP, -signal.SIGTERM)
+        assert terminal.close() == 130
         assert parameters(gimbal, tmp_path / "after") == before
 
 
