@@ -230,7 +230,11 @@ def test_the_sample_is_a_fleet(tmp_path: Path) -> None:
         ('[broker]\naddress = "a"\nclock-skew = "2m"\n', "8:14", "at most 60 s"),
         ('[broker]\naddress = "a"\nlongest-deadline = "25h"\n', "8:20", "at most 86400 s"),
         ('[broker]\naddress = "a"\nkey-file = "k"\n', "8:12", "belong together"),
-        (FLEET.replace("[metrics]", '[metrics]\nlisten = "9110"'), "4:10", "an IPv4 address and a port"),
+        (
+            FLEET.replace("[metrics]", '[metrics]\nlisten = "9110"'),
+            "4:10",
+            "an IPv4 address and a port",
+        ),
         ('allow = ["move\n', "6:15", "Error while parsing string"),
         ("allow = [move]\n", "6:10", "texts need quotes"),
         ('allow = ["move" "stop"]\n', "6:17", "expected comma or closing ']'"),
