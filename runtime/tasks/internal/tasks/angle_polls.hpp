@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <utility>
 
 #include <sbgc/client/task.hpp>
 #include <sbgc/messages/control.hpp>
@@ -25,8 +24,6 @@ class AnglePolls {
   /// The last angles and the time of their arrival; empty before.
   const std::optional<msg::GetAngles>& last() const noexcept { return last_; }
   Instant time() const noexcept { return time_; }
-  /// True once after an update.
-  bool take_new() noexcept { return std::exchange(is_new_, false); }
 
  private:
   void end_request(TaskMachine& task);
@@ -34,7 +31,6 @@ class AnglePolls {
   std::optional<CallId> pending_{};
   std::optional<msg::GetAngles> last_{};
   Instant time_{};
-  bool is_new_ = false;
 };
 
 }  // namespace sbgc::detail

@@ -1,6 +1,7 @@
 #include "tasks/angle_polls.hpp"
 
 #include <chrono>
+#include <utility>
 
 #include "tasks/tools.hpp"
 
@@ -24,14 +25,12 @@ Task<Result<bool>> AnglePolls::update(Instant until) {
   if (!state) co_return during("reading the camera angles", state.error());
   last_ = *state;
   time_ = task.now();
-  is_new_ = true;
   co_return true;
 }
 
 void AnglePolls::forget(TaskMachine& task) {
   end_request(task);
   last_.reset();
-  is_new_ = false;
 }
 
 void AnglePolls::end_request(TaskMachine& task) {

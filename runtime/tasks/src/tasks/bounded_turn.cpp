@@ -128,10 +128,10 @@ Task<Result<void>> BoundedTurn::turn(Axes<msg::ControlSpeed> speed, Instant not_
     command.control_mode.set_mode(msg::ControlModeKind::speed);
     for (std::size_t i = 0; i < speed.size(); ++i) command.axes[i].speed = speed[i];
   } else {
-    if (!polls_.take_new()) {
+    const bool has_new = polls_.last() && polls_.time() > sent_;
+    if (!has_new) {
       const Result<bool> read = co_await polls_.update(next_command(task.now()));
       if (!read) co_return read.error();
-      static_cast<void>(polls_.take_new());
     }
     ShortTargets::Angles measured;
     for (std::size_t i = 0; i < measured.size(); ++i) {
