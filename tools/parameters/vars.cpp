@@ -85,9 +85,9 @@ double read_value(const VariableInfo& variable, const std::string& text,
 double read_value(const VariableInfo& variable, const Assignment& assignment, double present,
                   const Availability& versions) {
   if (assignment.change == Change::set) return read_value(variable, assignment.value, versions);
-  const auto read = [&](const std::string& text) { return read_value(variable, text, versions); };
   try {
-    const PresentNumber number{present, variable.unit_in(versions), true, read};
+    const PresentNumber number{present, variable.unit_in(versions), true, variable.range.lowest,
+                               variable.range.highest};
     const std::string text = changed_value(number, assignment.change, assignment.value);
     return read_value(variable, text, versions);
   } catch (const ValueError& error) {

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <optional>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -10,6 +12,7 @@
 #include <sbgc/internal/suggestions.hpp>
 #include <sbgc/internal/words.hpp>
 #include <sbgc/text.hpp>
+#include <sbgc/value_text.hpp>
 
 #include "command/wording.hpp"
 
@@ -55,6 +58,19 @@ std::optional<double> percentage(std::string_view text) {
   if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
   const auto number = detail::parse_number<double>(detail::trimmed(text));
   return number && std::isfinite(*number) ? number : std::nullopt;
+}
+
+/// Parses an amount in the unit of a number. It may lie outside the range of the number.
+double amount(const PresentNumber& present, const std::string& text) {
+  constexpr std::int64_t most = std::int64_t{1} << 53;
+  const FieldType type{.shape = present.is_integer ? FieldShape::integer : FieldShape::real,
+                       .lowest = -most,
+                       .highest = most};
+  const ParsedValue parsed = parse_value(type, &present.unit, text);
+  if (!parsed) throw ValueError(parsed.problem);
+  const auto* const raw = std::get_if<std::int64_t>(&parsed.value);
+  return present.unit.real(raw != nullptr ? static_cast<double>(*raw)
+                                          : std::get<double>(parsed.value));
 }
 
 }  // namespace
@@ -115,7 +131,7 @@ std::string changed_value(const PresentNumber& present, Change change, const std
                     "and a number",
                     text));
   }
-  const double change_by = share ? present.value * *share / 100 : present.read(text);
+  const double change_by = share ? present.value * *share / 100 : amount(present, text);
   double after = present.value + sign * change_by;
   if (present.is_integer) {
     const double raw = std::round(unit.raw(after));
@@ -123,6 +139,13 @@ std::string changed_value(const PresentNumber& present, Change change, const std
       throw ValueError(fmt::format("a change by {} is less than its smallest step", text));
     }
     after = unit.real(raw);
+    if (raw < present.lowest || raw > present.highest) {
+      throw ValueError(fmt::format("{} would become {}, which does not fit: {} to {}",
+                                   detail::unit_text(present.value, unit),
+                                   detail::unit_text(after, unit),
+                                   detail::unit_text(unit.real(present.lowest), unit),
+                                   detail::unit_text(unit.real(present.highest), unit)));
+    }
   }
   return fmt::format("{:.10g} {}", after, unit.name);
 }
@@ -139,19 +162,12 @@ FieldValue changed_value(const AnyMessage& present, const FieldValue& value,
         if (!is_integer && leaf.kind != LeafKind::real) return;
         if (leaf.names != nullptr || leaf.packed != nullptr) return;
         const UnitInfo unit = leaf.unit == nullptr ? UnitInfo() : *leaf.unit;
-        const auto read = [&](const std::string& text) {
-          AnyMessage other = present;
-          if (std::string wrong = other.assign(path, text, false, versions); !wrong.empty()) {
-            throw ValueError(wrong.substr(path.size() + 2));
-          }
-          double amount = 0;
-          other.with_leaf(
-              path, [&](const Leaf& one) { amount = unit.real(one.number()); }, versions);
-          return amount;
-        };
+        const FieldType& type = value.field.type->innermost();
+        const PresentNumber number{unit.real(leaf.number()), unit, is_integer,
+                                   static_cast<double>(type.lowest),
+                                   static_cast<double>(type.highest)};
         try {
-          result.text = changed_value({unit.real(leaf.number()), unit, is_integer, read},
-                                      value.change, value.text);
+          result.text = changed_value(number, value.change, value.text);
           problem.clear();
         } catch (const ValueError& error) {
           problem = error.what();

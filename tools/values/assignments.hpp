@@ -1,7 +1,6 @@
 /// Sets fields of a message from texts such as "axes.pitch.angle=-30deg".
 #pragma once
 
-#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,12 +37,14 @@ struct FieldValue {
 std::vector<FieldValue> values_for(const std::vector<FoundField>& fields,
                                    const Assignment& assignment);
 
-/// A number, and the way to parse others like it.
+/// A number, and what is known about others like it.
 struct PresentNumber {
   double value{};  ///< in the unit
   UnitInfo unit{};
   bool is_integer{};  ///< on the wire
-  std::function<double(const std::string&)> read{};
+  // Of an integer on the wire.
+  double lowest{};
+  double highest{};
 };
 
 /// Returns the value after a change other than Change::set, as a text in the unit. Throws
