@@ -387,8 +387,9 @@ enum class VariableId : std::uint8_t {
   lpf_freq_roll = 45,  ///< LPF_FREQ_ROLL: Low-pass filter of roll.
   lpf_freq_pitch = 46,  ///< LPF_FREQ_PITCH: Low-pass filter of pitch.
   lpf_freq_yaw = 47,  ///< LPF_FREQ_YAW: Low-pass filter of yaw.
-  timelapse_time = 48,  ///< TIMELAPSE_TIME: Duration of a time lapse.
-  /// MAV_CTRL_MODE: What MAVLink controls: 0 nothing, 1 roll and pitch, 2 all axes.
+  timelapse_time = 48,  ///< TIMELAPSE_TIME: Duration of a time lapse. Since firmware 2.60.
+  /// MAV_CTRL_MODE: What MAVLink controls: 0 nothing, 1 roll and pitch, 2 all axes. Since firmware
+  /// 2.66.
   mav_ctrl_mode = 49,
   /// H_CORR_FACTOR: Strength of the heading correction. Since firmware 2.68b7.
   h_corr_factor = 50,

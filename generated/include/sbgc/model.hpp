@@ -17,6 +17,6 @@ inline constexpr const char* protocol_date = "2016-07-09";
 
 /// Programs with equal fingerprints know the same messages, names, units and limits. Texts that
 /// explain them have no effect on it. simplebgc.json has it as `fingerprint`.
-inline constexpr std::uint64_t model_fingerprint = 0xbda28f73190915d4;
+inline constexpr std::uint64_t model_fingerprint = 0x501e0fbec4c8272e;
 
 }  // namespace sbgc

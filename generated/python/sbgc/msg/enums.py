@@ -664,9 +664,9 @@ class VariableId(OpenEnum):
     LPF_FREQ_YAW = 47
     """Low-pass filter of yaw."""
     TIMELAPSE_TIME = 48
-    """Duration of a time lapse."""
+    """Duration of a time lapse. Since firmware 2.60."""
     MAV_CTRL_MODE = 49
-    """What MAVLink controls: 0 nothing, 1 roll and pitch, 2 all axes."""
+    """What MAVLink controls: 0 nothing, 1 roll and pitch, 2 all axes. Since firmware 2.66."""
     H_CORR_FACTOR = 50
     """Strength of the heading correction. Since firmware 2.68b7."""
     SW_LIM_MIN_ROLL = 51
