@@ -148,6 +148,9 @@ def test_a_capture_ends(gimbal: EmulatedGimbal, tmp_path: Path) -> None:
     result = run("stream", "RealtimeData4", "-p", f"capture:{capture}", "--format", "csv")
     assert (result.status, without_losses(result.error)) == (0, "")
     assert len(rows_of(result)[1]) > 3
+    capture.write_bytes(capture.read_bytes()[:-1])
+    result = run("stream", "RealtimeData4", "-p", f"capture:{capture}", "--format", "csv")
+    assert result.status == 1 and "has damaged parts, which are left out" in result.error
 
 
 def start(gimbal: EmulatedGimbal, *arguments: str) -> subprocess.Popen[str]:

@@ -17,6 +17,7 @@
 #include <sbgc/io/open.hpp>
 #include <sbgc/parser.hpp>
 
+#include "board/capture_check.hpp"
 #include "board/configuration.hpp"
 #include "board/listed_ports.hpp"
 #include "board/password.hpp"
@@ -186,6 +187,10 @@ LineChoice choose_line(const GimbalOptions& given, Wrap wrap) {
   LineChoice choice{options.port, connect_options(options)};
   if (choice.address.empty()) choice.address = find_gimbal_port(choice.options);
   require_address(choice.address);
+  if (const std::string damage = damage_at(choice.address); !damage.empty()) {
+    remark_warning(damage);
+    *options.is_incomplete = true;
+  }
   choice.options.wrap = std::move(wrap);
   if (options.verbose) choice.options.wrap = with_frame_printer(std::move(choice.options.wrap));
   return choice;
@@ -239,9 +244,8 @@ ConnectOptions connect_options(const GimbalOptions& options) {
     if (!options.capture.empty()) warn_of_password_in(options.capture);
   }
   result.capture = options.capture;
-  result.on_capture_error = [has_lost_capture =
-                                 options.has_lost_capture](const ClientError& error) {
-    *has_lost_capture = true;
+  result.on_capture_error = [is_incomplete = options.is_incomplete](const ClientError& error) {
+    *is_incomplete = true;
     remark("sbgc: {}\n", error.message);
   };
   return result;

@@ -35,8 +35,8 @@
 #include <sbgc/io/open.hpp>
 #include <sbgc/io/recorder.hpp>
 
+#include "board/capture_check.hpp"
 #include "board/connection.hpp"
-#include "bytes/capture_check.hpp"
 #include "command/background_output.hpp"
 #include "command/input_output.hpp"
 #include "command/interruption.hpp"
@@ -149,13 +149,6 @@ class Listener {
   bool stopped_ = false;
   std::string problem_;
 };
-
-/// Returns a message about the damage if a capture is at the address.
-std::string damage_at(const std::string& address) {
-  const io::AddressResult parsed = io::parse_address(address);
-  const auto* const capture = std::get_if<io::CaptureAddress>(&parsed.address);
-  return capture == nullptr ? "" : check_capture(capture->file);
-}
 
 int record_line(const RecordOptions& options) {
   asio::io_context context;

@@ -21,7 +21,7 @@
 #include <sbgc/io/replay.hpp>
 #include <sbgc/io/transport.hpp>
 
-#include "bytes/capture_check.hpp"
+#include "board/capture_check.hpp"
 #include "command/background_output.hpp"
 #include "command/interruption.hpp"
 #include "command/option_values.hpp"

@@ -23,8 +23,8 @@ struct GimbalOptions {
   std::string password_file{};  ///< for the port; "-" asks for the password, "" for none
   std::string capture{};        ///< file to record the traffic in, or ""
   bool verbose = false;
-  /// Set when a part of the traffic could not be recorded; all copies share it.
-  std::shared_ptr<std::atomic<bool>> has_lost_capture = std::make_shared<std::atomic<bool>>(false);
+  /// Set when a capture that is written or replayed lacks a part; all copies share it.
+  std::shared_ptr<std::atomic<bool>> is_incomplete = std::make_shared<std::atomic<bool>>(false);
 };
 
 /// Checks an option or argument that names a gimbal: nothing would stand for any gimbal.

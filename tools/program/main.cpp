@@ -65,8 +65,8 @@ std::optional<int> run(int argc, char** argv, std::string_view only) {
     return report_usage_error(app, error);
   }
   // The user requested all traffic.
-  const bool is_complete = context.status != success || !*context.gimbal.has_lost_capture;
-  return is_complete ? context.status : failure;
+  const bool is_complete = !*context.gimbal.is_incomplete;
+  return context.status != success || is_complete ? context.status : failure;
 }
 
 int run(int argc, char** argv) {

@@ -238,8 +238,8 @@ int monitor(const MonitorOptions& options, const CommandContext& context) {
       };
   // A remark would appear in the middle of the screen.
   reconnect.connection.on_capture_error =
-      [&state, has_lost_capture = context.gimbal.has_lost_capture](const ClientError& error) {
-        *has_lost_capture = true;
+      [&state, is_incomplete = context.gimbal.is_incomplete](const ClientError& error) {
+        *is_incomplete = true;
         state.add(error);
       };
   Client client = value_of(Client::connect(line.address, reconnect));
@@ -251,7 +251,7 @@ int monitor(const MonitorOptions& options, const CommandContext& context) {
   const Subscription stream = value_of(start_stream(client, interval, state));
   Monitor(client, state, *recording).run();
   if (recording->is_on()) remark("sbgc: {}\n", recording->begin_or_end(""));
-  if (*context.gimbal.has_lost_capture) throw CommandError("the capture is incomplete");
+  if (*context.gimbal.is_incomplete) throw CommandError("the capture is incomplete");
   return success;
 }
 

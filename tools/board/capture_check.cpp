@@ -1,12 +1,15 @@
-#include "bytes/capture_check.hpp"
+#include "board/capture_check.hpp"
 
+#include <filesystem>
 #include <span>
+#include <system_error>
 #include <variant>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include <sbgc/io/capture.hpp>
+#include <sbgc/io/open.hpp>
 #include <sbgc/parser.hpp>
 
 #include "command/command_error.hpp"
@@ -81,6 +84,15 @@ std::string check_capture(const std::string& file) {
   }
   if (damage.empty()) return "";
   return fmt::format("{} has damaged parts, which are left out: {}", file, damage);
+}
+
+std::string damage_at(const std::string& address) {
+  const io::AddressResult parsed = io::parse_address(address);
+  const auto* const capture = std::get_if<io::CaptureAddress>(&parsed.address);
+  std::error_code ignored;
+  const bool is_file =
+      capture != nullptr && std::filesystem::is_regular_file(capture->file, ignored);
+  return is_file ? check_capture(capture->file) : "";
 }
 
 }  // namespace sbgc::tools
