@@ -490,7 +490,9 @@ int decode_text(Input& input, std::span<const std::uint8_t> begin, PastedText& t
                 Decoder&& decoder, StandardOutput& out) {
   std::vector<std::uint8_t> bytes;
   bool is_text = true;
+  bool has_bytes = begin.empty();  // an empty text is valid
   const auto deliver = [&](const std::optional<TextError>& error) {
+    has_bytes = has_bytes || !bytes.empty();
     decoder.feed(bytes);
     bytes.clear();
     out.flush();
@@ -501,7 +503,10 @@ int decode_text(Input& input, std::span<const std::uint8_t> begin, PastedText& t
     deliver(text.feed(block, bytes));
   }
   deliver(text.finish(bytes));
-  return decoder.finish();
+  if (has_bytes) return decoder.finish();
+  decoder.stop();
+  throw InputError(
+      fmt::format("there are no bytes in the text, read as {}", to_text(text.reading())));
 }
 
 /// Throws CommandError for options that select or describe frames: a file for Wireshark has all
