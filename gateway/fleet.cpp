@@ -10,6 +10,7 @@
 
 #include <sbgc/internal/characters.hpp>
 #include <sbgc/internal/suggestions.hpp>
+#include <sbgc/io/internal/real_path.hpp>
 #include <sbgc/io/open.hpp>
 #include <sbgc/meta/realtime.hpp>
 
@@ -345,7 +346,9 @@ bool is_same_board(const std::string& a, const std::string& b) {
   if (!one || !other) return false;
   const auto* const port = std::get_if<io::SerialAddress>(&one.address);
   const auto* const other_port = std::get_if<io::SerialAddress>(&other.address);
-  if (port != nullptr && other_port != nullptr) return port->path == other_port->path;
+  if (port != nullptr && other_port != nullptr) {
+    return io::detail::real_path(port->path) == io::detail::real_path(other_port->path);
+  }
   return one.address == other.address && !std::holds_alternative<io::CaptureAddress>(one.address);
 }
 

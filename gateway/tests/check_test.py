@@ -203,6 +203,11 @@ def test_the_sample_is_a_fleet(tmp_path: Path) -> None:
             "7:8",
             "[gimbal.back] has the port of [gimbal.front], tcp:127.0.0.1:1",
         ),
+        (
+            '[gimbal.a]\nport = "/dev/null"\n[gimbal.b]\nport = "serial:/dev/../dev/null"\n',
+            "9:8",
+            "[gimbal.b] has the port of [gimbal.a], /dev/null",
+        ),
         ("[gimbals.back]\n", "6:1", "did you mean 'gimbal'?"),
         ('prot = "x"\n', "6:1", "unknown key 'prot' of [gimbal.front]; did you mean 'port'?"),
         ('allow = ["mov"]\n', "6:10", "no task 'mov'; did you mean 'move'?"),

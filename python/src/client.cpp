@@ -8,6 +8,7 @@
 
 #include <sbgc/client/speed_control.hpp>
 #include <sbgc/internal/words.hpp>
+#include <sbgc/io/internal/real_path.hpp>
 #include <sbgc/io/open.hpp>
 #include <sbgc/io/ports.hpp>
 #include <sbgc/meta/system.hpp>
@@ -201,7 +202,7 @@ std::string board_at(const std::string& text) {
   const io::AddressResult address = io::parse_address(text);
   if (!address) throw py::value_error(detail::without_period(address.error.message));
   const auto* const serial = std::get_if<io::SerialAddress>(&address.address);
-  return serial != nullptr ? serial->path : text;
+  return serial != nullptr ? io::detail::real_path(serial->path) : text;
 }
 
 }  // namespace

@@ -76,8 +76,8 @@ GIMBALS = "".join(f"[gimbal {number}]\nport = tcp:x:{number + 1}\n" for number i
         ("[other]\n", "ini:1: unknown section [other]; there are [vehicle], [vehicle NAME],"),
         ("[Vehicle]\n", "ini:1: unknown section [Vehicle]; did you mean 'vehicle'?"),
         (
-            "[vehicle]\n[gimbal a]\nport = /x\n[gimbal b]\nport = serial:/x?baud=9600\n",
-            "ini:5: [gimbal b] has the port of [gimbal a], serial:/x",
+            "[vehicle]\n[gimbal a]\nport = /dev/null\n[gimbal b]\nport = serial:/dev/../dev/null?baud=9600\n",
+            "ini:5: [gimbal b] has the port of [gimbal a], serial:/dev/../dev/null",
         ),
         (f"[vehicle]\n{GIMBALS}", "six gimbals"),
         ("nothing", "no section headers"),

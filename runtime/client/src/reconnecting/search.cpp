@@ -1,10 +1,10 @@
 #include "reconnecting/search.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <utility>
 #include <vector>
 
+#include <sbgc/io/internal/real_path.hpp>
 #include <sbgc/io/open.hpp>
 
 namespace sbgc::detail {
@@ -14,13 +14,6 @@ namespace {
 bool is_same(const io::UsbInfo& one, const io::UsbInfo& other) {
   return one.vendor_id == other.vendor_id && one.product_id == other.product_id &&
          one.serial_number == other.serial_number;
-}
-
-/// Resolves links such as those in /dev/serial/by-id.
-std::string resolved(const std::string& path) {
-  std::error_code error;
-  const std::filesystem::path real = std::filesystem::canonical(path, error);
-  return error ? path : real.string();
 }
 
 }  // namespace
@@ -40,7 +33,7 @@ io::PortList Adapter::list() const { return list_ports_ ? list_ports_() : io::Po
 void Adapter::remember() {
   const std::string path = this->path();
   if (path.empty()) return;
-  const std::string real = resolved(path);
+  const std::string real = io::detail::real_path(path);
   for (const io::PortInfo& port : list().ports) {
     if (port.name == path || port.name == real) identity_ = port.usb;
   }
@@ -58,7 +51,7 @@ Result<std::string> Adapter::find(bool is_board_known) const {
   if (matches.empty()) {
     return ClientError{ErrorCode::not_found, "the adapter of " + path + " is not plugged in"};
   }
-  const auto before = std::ranges::find(matches, resolved(path));
+  const auto before = std::ranges::find(matches, io::detail::real_path(path));
   const bool is_certain = matches.size() == 1;
   if (!is_certain && (!is_board_known || before == matches.end())) {
     return ClientError{ErrorCode::not_found,
