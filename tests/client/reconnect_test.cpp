@@ -310,9 +310,15 @@ TEST_F(Reconnecting, ACheckFindsASilentBoard) {
   EXPECT_TRUE(client.get_angles());
   EXPECT_EQ(client.connections(), 1U);
   board.on_lost([](const Packet&) { return true; });
+  board.clear_log();
+  auto asked = std::async(std::launch::async, [&] {
+    return client.call(msg::GetAnglesRequest{}, {.timeout = std::chrono::hours(1)});
+  });
+  wait_for_requests<msg::GetAnglesRequest>(1);
   client.check();
   ASSERT_TRUE(wait_for(LinkState::lost));
   EXPECT_THAT(changes.wait_for(1)[0].message, HasSubstr("does not respond"));
+  EXPECT_THAT(asked.get(), fails(ErrorCode::link_lost, "does not respond"));
   board.on_lost({});
   EXPECT_TRUE(wait_for(LinkState::connected));
 }

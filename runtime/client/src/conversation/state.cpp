@@ -15,6 +15,9 @@ constexpr Duration longest_handler = milliseconds(100);
 
 ClientError stuck_error() { return {ErrorCode::timeout, "a handler blocks the client"}; }
 ClientError closed_error() { return {ErrorCode::cancelled, "the client was closed"}; }
+ClientError loss_error(const Call& call, const std::string& loss) {
+  return {ErrorCode::link_lost, std::string(call.request.command) + ": " + loss};
+}
 
 std::vector<std::uint8_t> frame_of(const Request& request, Framing framing) {
   std::vector<std::uint8_t> frame(max_frame_size);
@@ -372,8 +375,7 @@ void Conversation::State::line_failed(const std::error_code& reason) {
   }
   if (!loss.empty()) {
     for (const CallPointer& call : calls_->take_all({ErrorCode::not_connected, loss})) {
-      const std::string text = std::string(call->request.command) + ": " + loss;
-      calls_.complete(*call, ClientError{ErrorCode::link_lost, text});
+      calls_.complete(*call, loss_error(*call, loss));
     }
   }
   begin_close();
@@ -381,19 +383,21 @@ void Conversation::State::line_failed(const std::error_code& reason) {
   if (!loss.empty()) delivery_.notify({NoticeKind::link_lost, loss});
 }
 
-void Conversation::State::close() {
-  // A client that connects again closes a lost conversation, whose tasks may still run.
-  std::string reason = "the client is closed";
+void Conversation::State::close(std::string loss) {
   {
     const std::lock_guard lock(mutex_);
     if (phase_ == Phase::closed) return;
-    if (phase_ == Phase::lost) reason = loss_;
+    // A client that connects again closes a lost conversation, whose tasks may still run.
+    if (phase_ == Phase::lost) loss = loss_;
     phase_ = Phase::closed;
   }
-  const auto ended = calls_->take_all({ErrorCode::not_connected, std::move(reason)});
+  const auto ended =
+      calls_->take_all({ErrorCode::not_connected, loss.empty() ? "the client is closed" : loss});
   // Also report here: the caller may be the thread that runs the strand.
   report_search(false);
-  for (const CallPointer& call : ended) calls_.complete(*call, closed_error());
+  for (const CallPointer& call : ended) {
+    calls_.complete(*call, loss.empty() ? closed_error() : loss_error(*call, loss));
+  }
   post([this] { begin_close(); });
 }
 

@@ -73,7 +73,8 @@ class Conversation::State : public Channel::User,
   /// True if the line may duplicate frames, because of its kind or the options.
   bool may_repeat() const noexcept { return may_repeat_; }
   ClientStatistics statistics() const;
-  void close();
+  /// `loss` is why the line counts as lost; "" if its owner closes it.
+  void close(std::string loss = "");
   /// Like close(), but also discards unsent data of the port, so that closing it does not wait.
   void abandon();
 

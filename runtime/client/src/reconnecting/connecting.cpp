@@ -138,9 +138,10 @@ void Reconnection::disconnect(Lock& lock) {
   Pointer client = std::move(client_);
   if (client) statistics_ = client->statistics();
   Subscription notices = std::move(client_notices_);
+  const std::string loss = loss_.value_or("");
   lock.unlock();
   // Close first: if the line is lost, the board cannot be told that the streams end.
-  if (client) client->conversation().close();
+  if (client) client->conversation().state()->close(loss);
   old.clear();
   notices.cancel();
   client.reset();
