@@ -191,6 +191,13 @@ TEST_F(SpeedControlTest, TurnsStopsWhenSilentAndTurnsAgain) {
   wait_until([&] { return commands(0).back() == -50; });
 }
 
+TEST_F(SpeedControlTest, RefusesImpossibleOptionsAtOnce) {
+  const SpeedControlOptions wrong[] = {{.silence = Ms(-1)}, {.lookahead = Ms(60'001)}};
+  for (const SpeedControlOptions& options : wrong) {
+    EXPECT_THAT(SpeedControl(client(), options).set({}), fails(ErrorCode::invalid));
+  }
+}
+
 TEST_F(SpeedControlTest, StopsWhenAsked) {
   SpeedControl control(client(), options());
   turn(control);

@@ -208,6 +208,11 @@ Result<void> SpeedControl::renew() {
 }
 
 Result<void> SpeedControl::set(const Axes<msg::ControlSpeed>& speed) {
+  if (options_.silence.count() <= 0) {
+    return ClientError{ErrorCode::invalid, "the silence of a speed control must be 1 ms or more"};
+  }
+  const detail::BoundedTurn motion(options_.bound, options_.lookahead);
+  if (auto possible = motion.check(); !possible) return possible;
   if (auto renewed = renew(); !renewed) return renewed;
   const auto current = worker();
   return current->set(speed);

@@ -42,6 +42,8 @@ class BoundedTurn {
   BoundedTurn(MotionBound bound, std::chrono::milliseconds lookahead) noexcept
       : bound_(bound), lookahead_(lookahead), targets_(lookahead) {}
 
+  /// Fails if the lookahead is impossible.
+  Result<void> check() const;
   /// Commands a speed, which lasts for the lookahead; fails if that is not possible by `not_after`.
   Task<Result<void>> turn(Axes<msg::ControlSpeed> speed, Instant not_after = Instant::never);
   /// Stops the camera, unless it `turns_again` meanwhile, and removes the timeout, so that it stays

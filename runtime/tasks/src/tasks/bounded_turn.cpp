@@ -70,12 +70,16 @@ ShortTargets::Command ShortTargets::next(const Speed& speed, const Angles& measu
   return command;
 }
 
+Result<void> BoundedTurn::check() const {
+  constexpr std::chrono::minutes longest{1};
+  const bool is_possible = lookahead_.count() > 0 && lookahead_ <= longest;
+  if (bound_ == MotionBound::none || is_possible) return {};
+  return ClientError{ErrorCode::invalid, "the lookahead of a motion must be 1 ms to a minute"};
+}
+
 Task<Result<void>> BoundedTurn::begin() {
   if (bound_ == MotionBound::none) co_return Result<void>();
-  constexpr std::chrono::minutes longest{1};
-  if (lookahead_.count() <= 0 || lookahead_ > longest) {
-    co_return ClientError{ErrorCode::invalid, "the lookahead of a motion must be 1 ms to a minute"};
-  }
+  if (Result<void> possible = check(); !possible) co_return possible;
   const bool is_choice = bound_ == MotionBound::automatic;
   if (is_choice) {
     const TaskMachine& task = co_await tasks::this_task();

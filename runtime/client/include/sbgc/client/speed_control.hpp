@@ -86,7 +86,8 @@ class SpeedControl {
   /// Turns with these speeds from now on, also after silence. Axes with speed 0 hold still. If a
   /// later command of this client has stopped or moved the camera since the last call, fails once
   /// with ErrorCode::superseded and sends nothing. Errors, including those of sending since then:
-  /// those of Client::call(); `interrupted` with SpeedControlOptions::ends_when_stopped.
+  /// those of Client::call(), `invalid` also for impossible options; `interrupted` with
+  /// SpeedControlOptions::ends_when_stopped.
   Result<void> set(const Axes<msg::ControlSpeed>& speed);
   /// Keeps the current speeds. Fails with ErrorCode::cancelled if there are none. Errors: those of
   /// set().
