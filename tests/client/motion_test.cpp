@@ -191,6 +191,8 @@ TEST_F(MotionTest, SenselessMovesAreRefused) {
   EXPECT_EQ(move_to({.yaw = msg::Angle14(0)}, {.speed = msg::ControlSpeed(-1)}).error().code,
             ErrorCode::invalid);
   EXPECT_FALSE(move_to({.yaw = msg::Angle14(0)}, {.tolerance = 0}));
+  EXPECT_THAT(move_to({.yaw = msg::Angle14(0)}, {.timeout = Ms(300)}),
+              fails(ErrorCode::invalid, "within 300 ms"));
   EXPECT_EQ(board.log().size(), 0U);
 }
 

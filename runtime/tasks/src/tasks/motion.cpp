@@ -361,6 +361,12 @@ namespace tasks {
 
 Task<Result<MoveProgress>> move_to(MoveTarget target, MoveOptions options) {
   if (const Result<void> checked = check(target, options); !checked) co_return checked.error();
+  if (options.settle >= options.timeout) {
+    const std::string text =
+        fmt::format("a move cannot end within {} ms: the camera must stay at its target for {} ms",
+                    options.timeout.count(), options.settle.count());
+    co_return ClientError{ErrorCode::invalid, text};
+  }
   Move move(co_await this_task(), target, options);
   Result<MoveProgress> result = co_await move.run(true);
   result = co_await finish(std::move(result), move.was_sent(), options.stop_on_failure);

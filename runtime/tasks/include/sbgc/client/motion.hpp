@@ -29,7 +29,7 @@ struct MoveOptions {
   std::chrono::milliseconds timeout{30'000};
   /// The largest deviation from the target at which an axis counts as arrived, in degrees.
   double tolerance = 0.5;
-  /// The time that all axes must stay within the tolerance.
+  /// The time that all axes must stay within the tolerance; shorter than `timeout`.
   std::chrono::milliseconds settle{300};
   /// The interval for polling the angles.
   std::chrono::milliseconds interval{50};
