@@ -49,8 +49,8 @@ namespace sbgc {
 /// Besides call(), each command has a function of its own, named without CMD_:
 /// `client.read_params_3({.profile_id = profile})`; see <sbgc/client/calls.hpp>.
 ///
-/// Handlers run one at a time, on threads of the client, and must not wait for the client: a call
-/// from a handler fails with ErrorCode::invalid.
+/// Handlers run one at a time, on threads of the client. They must not throw, which would end the
+/// program, and must not wait for the client: a call from a handler fails with ErrorCode::invalid.
 ///
 /// Connected with ReconnectOptions, the client restores its connection after the line was lost, the
 /// board restarted, or a data stream fell silent because the board lost its power:
