@@ -12,11 +12,6 @@ namespace {
                        py::repr(value).cast<std::string>());
 }
 
-std::string digits_of(double number) {
-  char buffer[32];
-  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, number).ptr};
-}
-
 template <class T>
 [[noreturn]] void raise_beyond(const char* name, const T& lowest, const T& highest,
                                const std::string& value) {
@@ -25,6 +20,11 @@ template <class T>
 }
 
 }  // namespace
+
+std::string digits_of(double number) {
+  char buffer[32];
+  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, number).ptr};
+}
 
 double number_of(py::handle value, const char* name) {
   const double number = PyFloat_AsDouble(value.ptr());
@@ -64,12 +64,7 @@ std::string path_of(py::handle value, const char* name) {
 
 msg::ControlSpeed speed_of(double value, const char* field) {
   const auto speed = quantity_of<msg::ControlSpeed>(value, field);
-  if (speed.raw() == 0 && value != 0) {
-    const std::string problem = std::string(field) + ": " + digits_of(value) +
-                                " deg/s is too slow; the least is " +
-                                detail::unit_text(msg::ControlSpeed(1).real(), {"deg/s"});
-    raise("FieldError", problem, field);
-  }
+  if (speed.raw() == 0 && value != 0) raise_unfit<msg::ControlSpeed>(value, field);
   return speed;
 }
 

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include <sbgc/units.hpp>
+#include <sbgc/value_text.hpp>
 
 #include "binding.hpp"
 
@@ -22,6 +23,8 @@ namespace sbgc::python {
 // These raise a TypeError or a ValueError: "pitch: a number is needed, not 'up'".
 
 double number_of(py::handle value, const char* name);
+/// Returns as many digits as needed to distinguish the number from its neighbors.
+std::string digits_of(double number);
 double number_in(double value, const char* name, double lowest, double highest);
 std::int64_t integer_of(py::handle value, const char* name, std::int64_t lowest,
                         std::int64_t highest);
@@ -127,18 +130,18 @@ using Flag = Argument<FlagArgument, name>;
 template <Name name>
 using Memory = Argument<MemoryArgument, name>;
 
+/// Raises with the problem that parse_quantity() finds.
+template <class Q>
+[[noreturn]] void raise_unfit(double value, const char* field) {
+  const std::string problem = parse_quantity<Q>(digits_of(value) + ' ' + Q::unit).problem;
+  raise("FieldError", std::string(field) + ": " + problem, field);
+}
+
 /// Raises if the quantity cannot hold the value.
 template <class Q>
 Q quantity_of(double value, const char* field) {
   const Conversion<Q> result = Q::from_real(value);
-  if (!result) {
-    const Q lowest(std::numeric_limits<typename Q::raw_type>::lowest());
-    const Q highest(std::numeric_limits<typename Q::raw_type>::max());
-    const std::string problem = std::string(field) + ": " + std::to_string(value) +
-                                " does not fit: " + std::to_string(lowest.real()) + " to " +
-                                std::to_string(highest.real()) + ' ' + Q::unit;
-    raise("FieldError", problem, field);
-  }
+  if (!result) raise_unfit<Q>(value, field);
   return *result;
 }
 

@@ -81,9 +81,9 @@ def test_move_to_arrives_and_reports_its_progress(board: Board, gimbal: Gimbal) 
 def test_arguments_out_of_range_are_errors_with_field_value_and_limit(gimbal: Gimbal) -> None:
     with pytest.raises(sbgc.FieldError, match="pitch: 1000.* does not fit: -720.* to 719.*deg"):
         gimbal.move_to(pitch=1000)
-    with pytest.raises(sbgc.FieldError, match="speed: 0.05 deg/s is too slow; the least is 0.12"):
+    with pytest.raises(sbgc.FieldError, match="speed: 0.05 deg/s is too small; the least is 0.12"):
         gimbal.move_to(pitch=20, speed=0.05)
-    with pytest.raises(sbgc.FieldError, match="yaw: -0.05 deg/s is too slow"):
+    with pytest.raises(sbgc.FieldError, match="yaw: -0.05 deg/s is too small"):
         gimbal.turn(yaw=-0.05, seconds=1)
     with pytest.raises(TypeError, match="pitch: a number is needed, not 'up'"):
         gimbal.move_to(pitch="up")  # type: ignore[arg-type]

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <cstdint>
+#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 #include <sbgc/internal/parse_number.hpp>
 #include <sbgc/internal/suggestions.hpp>
 #include <sbgc/internal/words.hpp>
+#include <sbgc/value_text.hpp>
 
 #include "command/command_error.hpp"
 #include "values/search_words.hpp"
@@ -19,9 +21,12 @@ namespace sbgc::tools {
 
 namespace {
 
-/// The physical value of the highest raw value of a quantity.
 template <class Q>
-constexpr Q highest{std::numeric_limits<typename Q::raw_type>::max()};
+Q to_quantity(const std::string& text, std::string_view option) {
+  const ParsedValue parsed = parse_quantity<Q>(text);
+  if (!parsed) throw CommandError(fmt::format("{}: {}", option, parsed.problem), wrong_usage);
+  return Q(static_cast<typename Q::raw_type>(std::get<std::int64_t>(parsed.value)));
+}
 
 /// For example "positive is down".
 std::string direction_text(const AxisDirection& direction) {
@@ -140,27 +145,12 @@ void require_an_axis(const AxisNumbers& numbers) {
 }
 
 msg::Angle14 to_angle(double degrees, std::string_view option) {
-  if (const auto angle = msg::Angle14::from_degrees(degrees)) return *angle;
-  throw CommandError(fmt::format("{}: {} deg is too far; the protocol has angles up to {:.0f} deg",
-                                 option, degrees, highest<msg::Angle14>.degrees()),
-                     wrong_usage);
+  return to_quantity<msg::Angle14>(fmt::format("{}", degrees), option);
 }
 
 msg::ControlSpeed to_speed(double degrees_per_second, std::string_view option) {
-  const auto speed = msg::ControlSpeed::from_degrees_per_second(degrees_per_second);
-  if (!speed) {
-    throw CommandError(
-        fmt::format("{}: {} deg/s is too fast; the protocol has speeds up to {:.0f} "
-                    "deg/s",
-                    option, degrees_per_second, highest<msg::ControlSpeed>.degrees_per_second()),
-        wrong_usage);
-  }
-  if ((*speed).raw() == 0 && degrees_per_second != 0) {
-    throw CommandError(fmt::format("{}: {} deg/s is too slow; the least is {:.2f} deg/s", option,
-                                   degrees_per_second, msg::ControlSpeed(1).degrees_per_second()),
-                       wrong_usage);
-  }
-  return *speed;
+  // With a unit, what would become 0 is a mistake.
+  return to_quantity<msg::ControlSpeed>(fmt::format("{} deg/s", degrees_per_second), option);
 }
 
 std::string axis_text(std::size_t axis, std::string_view number, std::string_view unit) {

@@ -17,12 +17,14 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
 #include <sbgc/field_type.hpp>
+#include <sbgc/meta/units.hpp>
 #include <sbgc/number.hpp>
 
 namespace sbgc {
@@ -46,6 +48,15 @@ struct ParsedValue {
 /// specification allows the value is checked by validate(), not here.
 ParsedValue parse_value(const FieldType& type, const UnitInfo* unit, std::string_view text,
                         std::uint64_t present = 0);
+
+/// The same for a quantity outside a message, such as msg::ControlSpeed: an integer.
+template <class Q>
+ParsedValue parse_quantity(std::string_view text) {
+  using Limits = std::numeric_limits<typename Q::raw_type>;
+  const FieldType type{
+      .shape = FieldShape::integer, .lowest = Limits::lowest(), .highest = Limits::max()};
+  return parse_value(type, &UnitMeta<Q>::info, text);
+}
 
 /// Splits a text at its commas and trims spaces; returns no parts for an empty text.
 std::vector<std::string_view> parse_elements(std::string_view text);
