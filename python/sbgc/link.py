@@ -145,7 +145,7 @@ class SpeedControl:
 
     def set(self, *, roll: float = 0.0, pitch: float = 0.0, yaw: float = 0.0) -> None:
         """Turn with these speeds in degrees per second. Omitted axes hold still, and so do
-        those with less than 0.06.
+        those with less than half of the least speed that a board knows.
 
         If the camera has stopped because nothing was called for the time of `silence`, it turns
         again, and a RuntimeWarning is issued. If another command of this client has stopped or moved

@@ -170,8 +170,8 @@ class Gimbal(Waiting):
     ) -> None:
         """Turn with these speeds, in degrees per second, for so many seconds; then stop.
 
-        Axes without a speed hold still; the least speed is 0.12. Raises GimbalSuperseded if a later
-        command of this client stops the camera or moves it.
+        Axes without a speed hold still. Raises FieldError for a speed that is too small, and
+        GimbalSuperseded if a later command of this client stops the camera or moves it.
         """
         require_numbers(seconds=seconds)
         if not seconds >= 0:
