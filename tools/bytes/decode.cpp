@@ -490,7 +490,7 @@ int decode_text(Input& input, std::span<const std::uint8_t> begin, PastedText& t
                 Decoder&& decoder, StandardOutput& out) {
   std::vector<std::uint8_t> bytes;
   bool is_text = true;
-  bool has_bytes = begin.empty();  // an empty text is valid
+  bool has_bytes = false;
   const auto deliver = [&](const std::optional<TextError>& error) {
     has_bytes = has_bytes || !bytes.empty();
     decoder.feed(bytes);
@@ -503,7 +503,8 @@ int decode_text(Input& input, std::span<const std::uint8_t> begin, PastedText& t
     deliver(text.feed(block, bytes));
   }
   deliver(text.finish(bytes));
-  if (has_bytes) return decoder.finish();
+  // Comments alone are an empty text, which is valid.
+  if (has_bytes || !text.has_fronts()) return decoder.finish();
   decoder.stop();
   throw InputError(
       fmt::format("there are no bytes in the text, read as {}", to_text(text.reading())));
