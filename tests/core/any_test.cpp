@@ -1,20 +1,12 @@
 // Tests of messages whose type is known only at run time, apart from what round_trip_test.cpp and
 // json_test.cpp do with every message.
 
-#include <array>
-#include <cstdint>
-#include <limits>
-#include <set>
-#include <string>
-#include <string_view>
 #include <utility>
 #include <variant>
 
 #include <gtest/gtest.h>
 
-#include <sbgc/any.hpp>
 #include <sbgc/json.hpp>
-#include <sbgc/message.hpp>
 #include <sbgc/meta/all.hpp>
 #include <sbgc/text.hpp>
 #include <sbgc/value_text.hpp>

@@ -1,17 +1,14 @@
 // Tests of checksums: every way to compute one against a computation byte by byte, or bit by bit.
 
-#include <array>
-#include <cstddef>
-#include <cstdint>
 #include <numeric>
-#include <random>
-#include <vector>
 
 #include <gtest/gtest.h>
 
 #include <sbgc/checksum.hpp>
 #include <sbgc/crc.hpp>
 #include <sbgc/internal/compiler.hpp>
+
+#include "support.hpp"
 
 namespace sbgc::test {
 namespace {

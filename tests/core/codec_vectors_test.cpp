@@ -1,16 +1,10 @@
 // Decodes and encodes every vector of the reference codec (generator/sbgcgen/targets/vectors),
 // which shares the model with the generated codec but none of its templates.
 
-#include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <ostream>
-#include <string>
-#include <vector>
 
 #include <gtest/gtest.h>
 
-#include <sbgc/json_dom.hpp>
 #include <sbgc/surplus.hpp>
 
 #include "messages.hpp"

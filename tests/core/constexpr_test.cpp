@@ -2,19 +2,14 @@
 // hosts whose memory layout differs from the wire), in blocks at run time. Both must agree, and a
 // wrong byte is a compile error.
 
-#include <algorithm>
-#include <array>
-#include <cstdint>
-#include <span>
-
 #include <gtest/gtest.h>
 
-#include <sbgc/dispatch.hpp>
-#include <sbgc/message.hpp>
 #include <sbgc/messages.hpp>
 #include <sbgc/meta/all.hpp>
 #include <sbgc/validate.hpp>
 #include <sbgc/visit.hpp>
+
+#include "support.hpp"
 
 namespace sbgc::test {
 namespace {

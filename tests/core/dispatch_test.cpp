@@ -1,20 +1,10 @@
 // Tests of dispatch: the message of a frame by id, direction and size; and of visit() with visitors
 // that accept only some messages.
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <fstream>
-#include <set>
-#include <span>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include <gtest/gtest.h>
 
-#include <sbgc/message.hpp>
 #include <sbgc/meta/enums.hpp>
 #include <sbgc/parser.hpp>
 #include <sbgc/visit.hpp>

@@ -1,10 +1,6 @@
 // Tests of what the library says about itself and about each message: the version, from which
 // versions of a board a message is there, and the effects of requests.
 
-#include <fstream>
-#include <string>
-#include <string_view>
-
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -15,6 +11,8 @@
 #include <sbgc/text.hpp>
 #include <sbgc/validate.hpp>
 #include <sbgc/version.hpp>
+
+#include "support.hpp"
 
 namespace sbgc {
 namespace {

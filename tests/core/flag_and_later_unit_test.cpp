@@ -1,11 +1,6 @@
 // Tests of fields whose unit depends on a flag of the message, which are read and set together, and
 // of those that later firmware has in another unit: P, I, D and PID_GAIN.
 
-#include <cmath>
-#include <cstdint>
-#include <string>
-#include <string_view>
-
 #include <gtest/gtest.h>
 
 #include <sbgc/any.hpp>
@@ -13,6 +8,8 @@
 #include <sbgc/messages/parameters.hpp>
 #include <sbgc/meta/all.hpp>
 #include <sbgc/text.hpp>
+
+#include "support.hpp"
 
 namespace sbgc::test {
 namespace {

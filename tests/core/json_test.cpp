@@ -1,12 +1,6 @@
 // Tests of messages as JSON: the round trip is lossless, and invalid JSON is rejected. The same
 // with text and with values of nlohmann_json.
 
-#include <bit>
-#include <cmath>
-#include <cstdint>
-#include <limits>
-#include <string>
-
 #include <gtest/gtest.h>
 
 #include <sbgc/json.hpp>

@@ -1,22 +1,9 @@
 // Tests of JSON text without a DOM: the reader accepts the same text as parse_json() and
 // from_dom(), and names the place of what is wrong; the writer writes what nlohmann_json reads.
 
-#include <array>
-#include <bit>
-#include <cstddef>
-#include <cstdint>
-#include <fstream>
-#include <limits>
-#include <random>
-#include <set>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include <gtest/gtest.h>
 
 #include <sbgc/json.hpp>
-#include <sbgc/json_dom.hpp>
 #include <sbgc/meta/all.hpp>
 #include <sbgc/parse_json.hpp>
 

@@ -2,14 +2,8 @@
 /// reports about one.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
 #include <map>
 #include <ostream>
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include <sbgc/any.hpp>
 #include <sbgc/json_dom.hpp>

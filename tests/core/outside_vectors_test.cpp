@@ -1,11 +1,6 @@
 // Tests with byte sequences from public sources: captures of real boards, constants in other
 // people's code and worked examples. tests/data/vectors.json holds them unchanged.
 
-#include <fstream>
-#include <set>
-#include <string>
-#include <vector>
-
 #include <gtest/gtest.h>
 
 #include <sbgc/parser.hpp>

@@ -4,12 +4,7 @@
 
 #if __has_include(<sys/mman.h>)
 
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <span>
 #include <stdexcept>
-#include <vector>
 
 #include <gtest/gtest.h>
 #include <sys/mman.h>
@@ -21,7 +16,6 @@
 #include <sbgc/parser.hpp>
 #include <sbgc/small_parser.hpp>
 
-#include "reference_parser.hpp"
 #include "streams.hpp"
 
 namespace sbgc::test {

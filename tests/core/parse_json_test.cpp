@@ -1,18 +1,15 @@
 // Tests of the JSON reader: it reads the same values as nlohmann_json, rejects everything else with
 // its position, and has a cost proportional to the length of the text.
 
-#include <cstddef>
-#include <cstdint>
 #include <cstdlib>
 #include <new>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include <gtest/gtest.h>
 
 #include <sbgc/json_dom.hpp>
 #include <sbgc/parse_json.hpp>
+
+#include "support.hpp"
 
 namespace {
 

@@ -1,16 +1,10 @@
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <span>
 #include <stdexcept>
-#include <vector>
 
 #include <gtest/gtest.h>
 
 #include <sbgc/parser.hpp>
 #include <sbgc/small_parser.hpp>
 
-#include "reference_parser.hpp"
 #include "streams.hpp"
 
 namespace sbgc::test {

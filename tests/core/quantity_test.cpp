@@ -1,20 +1,16 @@
 // Tests of physical quantities: conversion is exact or rounded to nearest, and units do not mix.
 
-#include <cmath>
 #include <concepts>
-#include <cstdint>
-#include <limits>
 #include <optional>
-#include <set>
-#include <string>
 #include <type_traits>
 #include <typeindex>
 
 #include <gtest/gtest.h>
 
-#include <sbgc/dispatch.hpp>
 #include <sbgc/later_unit.hpp>
 #include <sbgc/meta/all.hpp>
+
+#include "support.hpp"
 
 namespace sbgc::test {
 namespace {

@@ -1,16 +1,6 @@
 // Tests every message with bodies of every size: a decoded body encodes to the same bytes, any
 // other body is an error with a position, and no byte outside the buffers is touched.
 
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <cmath>
-#include <cstdint>
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include <gtest/gtest.h>
 
 #include <sbgc/frame.hpp>

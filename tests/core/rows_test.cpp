@@ -1,11 +1,6 @@
 // Plays rows.txt, which describes its rows.
 
-#include <algorithm>
-#include <fstream>
 #include <sstream>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include <gtest/gtest.h>
 

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <algorithm>
-#include <cstddef>
-#include <cstdint>
+#include <array>
 #include <initializer_list>
 #include <random>
+#include <span>
 
 #include "reference_parser.hpp"
 

@@ -1,12 +1,7 @@
 // Tests of requests with surplus: bytes after the largest form.
 
-#include <array>
-#include <cstdint>
-#include <span>
-
 #include <gtest/gtest.h>
 
-#include <sbgc/message.hpp>
 #include <sbgc/meta/all.hpp>
 #include <sbgc/surplus.hpp>
 

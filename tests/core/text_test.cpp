@@ -1,14 +1,8 @@
 // Tests of text output: to_string(), {fmt}, streams, and the text that says what came instead of a
 // message.
 
-#include <algorithm>
-#include <cstdint>
 #include <cstdio>
-#include <limits>
-#include <random>
 #include <sstream>
-#include <string>
-#include <vector>
 
 #include <gtest/gtest.h>
 

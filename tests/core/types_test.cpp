@@ -1,14 +1,8 @@
 // Tests of the small value types that messages consist of.
 
-#include <array>
 #include <cctype>
-#include <cstdint>
 #include <new>
-#include <set>
-#include <string>
-#include <string_view>
 #include <type_traits>
-#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -16,6 +10,8 @@
 #include <sbgc/flags.hpp>
 #include <sbgc/status.hpp>
 #include <sbgc/types.hpp>
+
+#include "support.hpp"
 
 namespace sbgc::test {
 namespace {

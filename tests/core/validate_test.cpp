@@ -2,17 +2,7 @@
 // validate() never disagrees with the walk that reports violations, and both find each value
 // outside the limits of the exported model.
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <limits>
-#include <map>
-#include <string>
-#include <vector>
 
 #include <gtest/gtest.h>
 

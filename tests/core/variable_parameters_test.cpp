@@ -1,12 +1,7 @@
 // Tests of the adjustable variables and the settings they represent.
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
 #include <cstdlib>
 #include <tuple>
-#include <vector>
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,9 @@
-#include <array>
-#include <bit>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <vector>
 
 #include <gtest/gtest.h>
 
 #include <sbgc/wire.hpp>
+
+#include "support.hpp"
 
 namespace sbgc::test {
 namespace {
