@@ -1,7 +1,6 @@
-// The generated headers of a random protocol: the frames of random framings are those that the
-// reference codec finds in streams; settings, including share(), are those of random_messages.py,
-// which shares the model with the generated code but none of the templates; a conversation
-// compiles.
+// The generated headers of a random protocol: settings, including share(), are those of
+// random_messages.py, which shares the model with the generated code but none of the templates; a
+// conversation compiles.
 
 #include <cstddef>
 #include <cstdint>
@@ -12,17 +11,14 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include <sbgc/detector.hpp>
 #include <sbgc/dispatch.hpp>
 #include <sbgc/json_dom.hpp>
 #include <sbgc/meta/all.hpp>
 #include <sbgc/parameters.hpp>
-#include <sbgc/parser.hpp>
 #include <sbgc/responses/all.hpp>
 #include <sbgc/session.hpp>
-#include <sbgc/small_parser.hpp>
 
 #include "support.hpp"
 
@@ -69,53 +65,6 @@ TEST(Settings, AreSharedAsTheModelSays) {
   ParameterMessages::for_each([&]<class M>(Type<M>) {
     EXPECT_TRUE(seen.contains(ParametersOf<M>::name)) << ParametersOf<M>::name;
   });
-}
-
-using nlohmann::json;
-
-template <class Parser>
-json frames_in(const ByteVector& stream, const json& accepted) {
-  Parser parser;
-  if (accepted.size() != framings.size()) {
-    for (const Framing framing : framings) {
-      if (accepted[0] == to_string(framing)) parser.formats().accept_only(framing);
-    }
-  }
-  json found = json::array();
-  const auto sink = [&](const Frame& frame) {
-    found.push_back({{"offset", frame.offset},
-                     {"framing", to_string(frame.framing)},
-                     {"id", frame.id},
-                     {"body", detail::to_hex(frame.body)}});
-  };
-  parser.feed(stream, sink);
-  parser.flush(sink);
-  return found;
-}
-
-TEST(Frames, AreThoseOfTheReferenceCodec) {
-  std::ifstream file("frames.jsonl");
-  std::size_t count = 0;
-  for (std::string line; std::getline(file, line); ++count) {
-    SCOPED_TRACE(line);
-    const json vector = json::parse(line);
-    const ByteVector stream = from_hex(vector["stream"].get<std::string>());
-    const json& accepted = vector["framings"];
-    EXPECT_EQ(frames_in<BasicParser<AnyFrameFormats>>(stream, accepted), vector["frames"]);
-    EXPECT_EQ((frames_in<BasicParser<AnyFrameFormats, Optimize::size>>(stream, accepted)),
-              vector["frames"]);
-    if (!vector.contains("written")) continue;
-    const json& frame = vector["frames"][0];
-    for (const Framing framing : framings) {
-      if (frame["framing"] != to_string(framing)) continue;
-      ByteVector written(max_frame_size);
-      const WriteResult result =
-          write_frame(framing, frame["id"], from_hex(frame["body"].get<std::string>()), written);
-      ASSERT_TRUE(result);
-      EXPECT_EQ(detail::to_hex(std::span(written).first(result.size)), vector["stream"]);
-    }
-  }
-  EXPECT_GT(count, 30U);
 }
 
 }  // namespace

@@ -34,6 +34,7 @@ SOURCES = [
     *(ROOT / "runtime/any/src").glob("*.cpp"),
     ROOT / "tests/core/messages.cpp",
     ROOT / "tests/core/codec_vectors_test.cpp",
+    ROOT / "tests/core/framing_vectors_test.cpp",
     ROOT / "tests/random_schemas/headers_test.cpp",
 ]
 WARNINGS = """-Wall -Wextra -Wpedantic -Wcast-align -Wcast-qual -Wconversion -Wdouble-promotion
