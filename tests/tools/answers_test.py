@@ -1,10 +1,10 @@
 """Tests the output of commands against answers/*.txt: lines of the form `STATUS COMMAND => WORDS`.
 
 The words stand in the output, without its breaks of lines, and at its begin if they begin with `sbgc:`; without
-words, there is no output. `…` is any text, `#` a number with words around it. `<<<` is the input, as Python writes
-it; `{folder}` is an empty folder, `{file}` has two bytes, `{bytes}` 1280. A section `[OPTIONS]` adds options to each
-command; `[board OPTIONS]` gives them an emulated gimbal, whose parameters must be the same afterwards, except in
-`[changing board OPTIONS]`.
+words, there is no output. `$` is its end, `…` any text, `#` a number with words around it. `<<<` is the input, as
+Python writes it; `{folder}` is an empty folder, `{file}` has two bytes, `{bytes}` 1280. A section `[OPTIONS]` adds
+options to each command; `[board OPTIONS]` gives them an emulated gimbal, whose parameters must be the same
+afterwards, except in `[changing board OPTIONS]`.
 """
 
 from __future__ import annotations
@@ -51,6 +51,7 @@ def problem_of(line: str, options: list[str], folder: Path) -> str:
         re.escape(words := words.strip())
         .replace(r"\ …\ ", ".*?")
         .replace(r"\#", r"[^:;]*?\d[^:;]*?")
+        .replace(r"\$", "$")
     )
     find = {"": re.fullmatch, "sbgc:": re.match}.get(words[:5], re.search)
     is_right = result.status == int(status) and find(wanted, said)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import csv
-import gzip
 import io
 import json
 import os
@@ -110,21 +109,6 @@ def test_a_line_with_a_shown_password_can_be_encoded() -> None:
     assert run("encode", stdin=shown.out).out == OPENS
 
 
-def test_floats_are_numbers_and_texts_are_strings() -> None:
-    stream = frame(85, struct.pack("<BHI", 88, 100, 0x40) + bytes(14))
-    vectors = struct.pack("<H6f", 7, 0.5, -0.25, 1, 0, 1e-30, -1)
-    lines = decode(stream + frame(88, vectors))
-    assert lines[0]["message"] == "DataStreamInterval"
-    assert lines[1]["fields"]["z1_vector"] == {"x": 0.5, "y": -0.25, "z": 1}
-    assert isinstance(lines[1]["fields"]["z1_vector"]["z"], float)
-    h1 = lines[1]["fields"]["h1_vector"]
-    assert struct.pack("<3f", h1["x"], h1["y"], h1["z"]) == vectors[14:]
-
-    names = "Fußgänger".encode().ljust(48, b"\0") + bytes(4 * 48)
-    fields = decode_one(frame(28, names), "--from", "board")["fields"]
-    assert fields["profile_name"][0] == "Fußgänger"
-
-
 @pytest.mark.parametrize("vector", valid_frames(), ids=lambda v: v["meaning"][:40])
 def test_vectors_from_outside(vector: dict) -> None:
     sender = "host" if vector["direction"] == "to_board" else "board"
@@ -147,16 +131,6 @@ def test_vectors_from_outside(vector: dict) -> None:
 
 CONTROL = frame(67, bytes([0, 0, 2]) + struct.pack("<6h", 0, 0, 0, 0, 0, 2048))
 BAD_SUM = GET_ANGLES[:-1] + b"\x01"
-
-
-def test_what_is_nearly_a_frame_is_explained() -> None:
-    """answers/frames.txt lists the explanations. JSON lines contain only frames."""
-    for noise in (b"", b"\x00\x3e\x01\x00"):
-        text = run("decode", stdin=noise + BAD_SUM)
-        (line, *_) = [line for line in text.text.splitlines() if line.startswith("    @")]
-        assert text.status == 1 and line.startswith(f"    @{len(noise)}: looks like")
-        lines = run("decode", "--format", "jsonl", stdin=noise + BAD_SUM)
-        assert lines.status == 1 and lines.out == b"" and line in lines.error
 
 
 def test_explanations_stand_where_the_gap_is() -> None:
@@ -183,7 +157,7 @@ def test_explanations_stand_where_the_gap_is() -> None:
 def test_explanations_do_not_depend_on_how_the_bytes_arrive(tmp_path: Path) -> None:
     generator = random.Random(4)
     parts = [GET_ANGLES, CONTROL, CONTROL[:-1], BAD_SUM, b"\x3e\x3e", bytes(700), BOARD_INFO[:9]]
-    data = b"".join(generator.choices(parts, k=300))
+    data = b"".join(generator.choices(parts, k=3000))
     whole = run("decode", stdin=data)
     with subprocess.Popen(
         [PROGRAM, "decode"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, bufsize=0
@@ -197,27 +171,6 @@ def test_explanations_do_not_depend_on_how_the_bytes_arrive(tmp_path: Path) -> N
                 data = data[size:]
             process.stdin.close()
             assert shown.result() == whole.out
-
-
-@pytest.mark.parametrize(
-    "data, options, guess",
-    [
-        (b"3e 49 00 49 00\n", ["--raw"], "this looks like hex text: use --hex"),
-        (b"Hello, world", [], "this is text without bytes"),
-        (b"12 xy", [], "this is text, but not of bytes: hex text, line 1 column 4: 'x' is not"),
-        (b'{"message":"MotorsOn","fields":{}}\n', [], "use sbgc encode"),
-        (gzip.compress(GET_ANGLES), [], "this is compressed: unpack it first"),
-        (b"\xd4\xc3\xb2\xa1" + bytes(20), [], "this is a capture of network packets"),
-        (bytes.fromhex("3e95847d46211b0000"), [], "its baud rate or parity may be wrong"),
-    ],
-)
-def test_input_without_a_frame(data: bytes, options: list[str], guess: str) -> None:
-    for form in ("text", "jsonl"):
-        result = run("decode", "--format", form, *options, stdin=data)
-        assert result.status == 1
-        assert result.error.startswith(f"sbgc: found no frame in {len(data)} bytes; ")
-        assert guess in result.error
-        assert form == "text" or result.out == b""
 
 
 def test_noise_is_not_explained_as_frames() -> None:
@@ -269,35 +222,6 @@ def test_a_struct_with_padding_is_recognized() -> None:
             assert values in right
         found += 1
     assert found > 5
-
-
-IMU_ANGLES, TARGET_ANGLES, RC_DATA, ENCODER_RAW24, IMU_ANGLES_RAD = 1, 2, 0x20, 0x800, 0x1000
-
-
-def test_empty_input() -> None:
-    assert decode(b"") == []
-    assert decode(b"# only a comment\n", "--hex") == []
-    assert run("decode", "--format", "text").status == 0
-
-
-def test_a_large_capture() -> None:
-    """The input is larger than one block, so frames cross the block boundaries."""
-    parts = []
-    offsets = []
-    generator = random.Random(1)
-    at = 0
-    while at < 300_000:
-        gap = bytes(generator.choices(range(0x3D), k=generator.randrange(4)))
-        offsets.append(at + len(gap))
-        parts.append(gap + BOARD_INFO)
-        at += len(parts[-1])
-    assert [line["offset"] for line in decode(b"".join(parts))] == offsets
-
-
-def test_file_and_dash(tmp_path: Path) -> None:
-    capture = tmp_path / "capture.bin"
-    capture.write_bytes(GET_ANGLES)
-    assert decode(b"", str(capture)) == decode(GET_ANGLES, "-") == decode(GET_ANGLES)
 
 
 def test_live_input_comes_out_at_once() -> None:
@@ -385,14 +309,6 @@ def test_flags_are_filtered_one_by_one() -> None:
     assert [line["offset"] for line in decode(stream, "-w", name)] == [0, len(both)]
     name = "board_features & BOARD_FEATURE_3AXIS"
     assert [line["offset"] for line in decode(stream, "-w", name)] == [0]
-
-
-def test_what_is_like_no_word_at_all_has_no_suggestion() -> None:
-    name = "system_power_state.motors.pitch.mot_current"
-    for length, is_like_it in ((57, True), (58, False)):
-        result = run("decode", "-w", f"{name:x<{length}}=3")
-        assert result.status == 2
-        assert (f"did you mean '{name}'" in result.error) == is_like_it
 
 
 def test_csv() -> None:
