@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import os
 import pty
+import resource
+import signal
 import subprocess
 import time
 from collections.abc import Callable
@@ -18,6 +20,11 @@ class Ended:
     status: int
     out: str
     error: str
+
+
+def limit_files(size: int) -> None:
+    """Limits the files that this process can write."""
+    resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
 
 
 def answer_on_terminal(answer: str, *arguments: str) -> Ended:
@@ -106,6 +113,10 @@ class Watched:
             line = self.process.stderr.readline()
             assert line, self.seen
             self.seen += line
+
+    def interrupt(self) -> Ended:
+        self.process.send_signal(signal.SIGINT)
+        return self.end()
 
     def end(self) -> Ended:
         out, error = self.process.communicate(timeout=60)

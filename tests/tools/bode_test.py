@@ -6,7 +6,6 @@ import cmath
 import math
 import random
 import re
-import resource
 import signal
 import subprocess
 import time
@@ -15,6 +14,7 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
+from board_command import limit_files
 from emulated_gimbal import EmulatedGimbal, emulated_gimbal
 from sbgc_command import PROGRAM, Result, run
 
@@ -314,13 +314,7 @@ def test_a_stream_that_nobody_knows_to_end_goes_on(tmp_path: Path) -> None:
 def test_a_full_disk_loses_no_table(gimbal: EmulatedGimbal, tmp_path: Path) -> None:
     file = tmp_path / "roll.csv"
     command = ["bode", "roll", *SHORT, "-o", str(file), "--table", "--yes", "-p", gimbal.address]
-    done = subprocess.run(
-        [PROGRAM, *command],
-        capture_output=True,
-        text=True,
-        check=False,
-        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000)),
-    )
-    assert done.returncode == 1 and not file.exists()
-    assert f"cannot write {file}: File too large" in " ".join(done.stderr.split())
-    assert len(rows_of(done.stdout)) == 159
+    done = run(*command, preexec_fn=lambda: limit_files(1000))
+    assert done.status == 1 and not file.exists()
+    assert f"cannot write {file}: File too large" in " ".join(done.error.split())
+    assert len(rows_of(done.text)) == 159

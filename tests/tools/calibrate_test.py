@@ -59,8 +59,7 @@ def test_ctrl_c_says_that_the_board_goes_on() -> None:
         turn_motors_off(gimbal)
         calibrating = Watched(*arguments, "-p", gimbal.address)
         calibrating.wait_for("CMD_CONFIRM")
-        calibrating.process.send_signal(signal.SIGINT)
-        ended = calibrating.end()
+        ended = calibrating.interrupt()
         assert ended.status == 130
         assert "no command stops a calibration: the board goes on" in " ".join(ended.error.split())
         busy = calibrate(gimbal, "mag", "--yes")
@@ -73,11 +72,6 @@ def test_the_progress_is_that_of_the_chosen_sensor(gimbal: EmulatedGimbal) -> No
         assert result.status == 0, result
         (seen,) = set(re.findall(r"^ +imu_type +\d+ +IMU_TYPE_(\w+)$", result.error, re.M))
         assert seen == imu.upper()
-
-
-def test_the_list() -> None:
-    names = [line.split()[0] for line in run("calibrate", "--list").text.splitlines()]
-    assert {"gyro", "acc", "mag", "encoders", "poles", "battery"} < set(names)
 
 
 def test_the_status_names_what_is_calibrated() -> None:
@@ -129,11 +123,9 @@ def test_an_even_turn_is_no_rest(tmp_path: Path) -> None:
             for question, reply in (("Continue", "y"), ("Is it still", answer)):
                 shell.wait(question)
                 shell.wait(lambda lines: "".join(lines).rstrip().endswith("[y/N]"))
-                shell.type(reply)
-                shell.press("Enter")
+                shell.enter(reply)
             shell.wait(end)
-            shell.type("clear")
-            shell.press("Enter")
+            shell.enter("clear")
             shell.wait(lambda lines: "Continue" not in "".join(lines))
 
 
@@ -144,8 +136,7 @@ def test_the_six_positions_are_offered_one_after_another(tmp_path: Path) -> None
         for question in ("Continue", "The motors are on", "Turn another"):
             shell.wait(question)
             shell.wait(lambda lines: "".join(lines).rstrip().endswith("[y/N]"))
-            shell.type("y")
-            shell.press("Enter")
+            shell.enter("y")
         shell.wait("this side of the sensor was up before; turn another one upwards")
         lines = shell.lines()
         assert any("not +X, -X, +Y, -Y, -Z" in line for line in lines)
@@ -194,12 +185,10 @@ def test_no_puts_the_old_values_back(tmp_path: Path) -> None:
         with terminal(tmp_path, 100, 30) as shell:
             shell.run("tune", "roll", "-p", gimbal.address)
             shell.wait("Continue")
-            shell.type("y")
-            shell.press("Enter")
+            shell.enter("y")
             shell.wait("Keep the new values")
             assert gains(gimbal) != before
-            shell.type("n")
-            shell.press("Enter")
+            shell.enter("n")
             shell.wait("not kept; the old values are back")
         assert gains(gimbal) == before
 
@@ -209,8 +198,7 @@ def test_ctrl_c_ends_the_tuning_and_nothing_changes() -> None:
         before = gains(gimbal)
         tuning = Watched("tune", "--yes", "-p", gimbal.address)
         tuning.wait_for("CMD_AUTO_PID (35)  board to host")
-        tuning.process.send_signal(signal.SIGINT)
-        ended = tuning.end()
+        ended = tuning.interrupt()
         assert ended.status == 130
         text = ended.error
         assert "The old values are on the board." in text
@@ -250,8 +238,7 @@ def test_a_guard_puts_the_old_values_back_if_the_command_dies_at_the_question(
         with terminal(tmp_path, 100, 30) as shell:
             shell.run("tune", "roll", "-p", gimbal.address)
             shell.wait("Continue")
-            shell.type("y")
-            shell.press("Enter")
+            shell.enter("y")
             shell.wait("Keep the new values")
             assert gains(gimbal) != before
             os.kill(shell.process(), signal.SIGKILL)

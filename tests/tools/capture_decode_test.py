@@ -46,10 +46,6 @@ def test_damage_that_looks_like_records_takes_linear_time(size: int) -> None:
     assert 'note: "after it"' in result.text
 
 
-def test_raw_captures_have_no_time() -> None:
-    assert "time" not in decode(ANGLES)[0]
-
-
 def test_text_shows_direction_time_and_notes() -> None:
     result = run("decode", stdin=CAPTURE)
     assert result.status == 0

@@ -329,13 +329,7 @@ def test_a_completed_file_is_one_argument(shell: Shell, name: str) -> None:
 
 
 def completed(*words: str, **environment: str) -> list[bytes]:
-    done = subprocess.run(
-        [PROGRAM, "__complete", "--", *words],
-        env={**os.environ, **environment},
-        capture_output=True,
-        check=True,
-    )
-    return done.stdout.splitlines()
+    return run("__complete", "--", *words, env={**os.environ, **environment}).out.splitlines()
 
 
 def test_control_characters_and_other_bytes_are_not_offered(tmp_path: Path) -> None:

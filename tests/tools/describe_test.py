@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import os
 import re
-import subprocess
 
 import pytest
 
-from sbgc_command import MODEL, PROGRAM, run
+from sbgc_command import MODEL, run
 
 
 def described(word: str) -> str:
@@ -110,12 +109,7 @@ def test_everything_by_family() -> None:
 
 @pytest.mark.parametrize("width", [60, 80, 120])
 def test_lines_wrap_at_the_width(width: int) -> None:
-    text = subprocess.run(
-        [PROGRAM, "describe", "CMD_READ_PARAMS_3"],
-        env={**os.environ, "COLUMNS": str(width)},
-        capture_output=True,
-        check=True,
-    ).stdout.decode()
+    text = run("describe", "CMD_READ_PARAMS_3", env={**os.environ, "COLUMNS": str(width)}).text
     long = [line for line in text.splitlines() if len(line) > width and " " in line.strip()]
     assert not long
     assert "\x1b" not in text, "no colors without a terminal"

@@ -81,13 +81,6 @@ def test_it_only_reads(shaking: EmulatedGimbal) -> None:
 # time.
 
 
-def test_old_firmware_is_asked_for_each_sample() -> None:
-    with emulated_gimbal("--firmware", "2.43b9") as gimbal:
-        sampling = examined(gimbal.address)["sampling"]
-    assert sampling["how"] == "polls" and sampling["samples"] > 1
-    assert sampling["second_rate_hz"] == pytest.approx(sampling["rate_hz"] / 1.25)
-
-
 def test_the_stream_of_another_host_stays() -> None:
     with emulated_gimbal() as gimbal, bridge_to(gimbal.address) as shared:
         other = ("stream", "RealtimeDataCustom", "--with", "IMU_ANGLES", "--rate", "20")

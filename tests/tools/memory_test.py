@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import os
 import re
-import signal
 import zlib
 from collections.abc import Iterator
 from pathlib import Path
@@ -101,8 +100,7 @@ def test_ctrl_c_during_a_transfer(tmp_path: Path) -> None:
     with emulated_gimbal("--baud", "9600", "--tcp", "0") as gimbal:
         reading = Watched("eeprom", "read", str(tmp_path / "part"), "-p", gimbal.address)
         reading.wait_for("CMD_EEPROM_READ")
-        reading.process.send_signal(signal.SIGINT)
-        assert reading.end().status == 130
+        assert reading.interrupt().status == 130
     assert list(tmp_path.iterdir()) == [], "neither the file nor a part of it"
 
 

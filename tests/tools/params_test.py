@@ -5,18 +5,16 @@ from __future__ import annotations
 import json
 import os
 import re
-import resource
 import signal
-import subprocess
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from board_command import Watched, answer_on_terminal
+from board_command import Watched, answer_on_terminal, limit_files
 from emulated_gimbal import emulated_gimbal
-from sbgc_command import MODEL, PROGRAM, Result, run
+from sbgc_command import MODEL, Result, run
 
 
 @pytest.fixture(name="board", scope="module")
@@ -119,7 +117,7 @@ def test_get_reads_only_what_it_prints(board: str) -> None:
 
 def test_interactive_yes_and_no(board: str) -> None:
     before = body_of(board, 0)["axes"]["yaw"]["poles"]
-    refused = answer_on_terminal("n", "params", "set", "yaw.poles=22", "-p", board)
+    refused = answer_on_terminal("", "params", "set", "yaw.poles=22", "-p", board)
     assert refused.status == 1 and "not confirmed" in refused.error
     assert body_of(board, 0)["axes"]["yaw"]["poles"] == before
     agreed = answer_on_terminal("y", "params", "set", "yaw.poles=22", "-p", board)
@@ -171,24 +169,12 @@ def test_a_difference_of_two_files_names_them(board: str, tmp_path: Path) -> Non
 
 
 def test_disk_full_leaves_no_file(board: str, tmp_path: Path) -> None:
-    file = tmp_path / "b.json"
-
-    def limit_files() -> None:
-        resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096))
-
     for options in ([], ["--force"]):
-        done = subprocess.run(
-            [PROGRAM, "params", "backup", str(file), *options, "-p", board],
-            stderr=subprocess.PIPE,
-            preexec_fn=limit_files,
-            timeout=30,
-            check=False,
-        )
-        assert done.returncode == 1
-        assert b"cannot write" in done.stderr and b"File too large" in done.stderr
+        backup = ("params", "backup", str(tmp_path / "b.json"), *options, "-p", board)
+        done = run(*backup, preexec_fn=lambda: limit_files(4096))
+        assert done.status == 1
+        assert "cannot write" in done.error and "File too large" in done.error
         assert not list(tmp_path.iterdir())
-    no_folder = params(board, "backup", str(tmp_path / "none" / "b.json"))
-    assert no_folder.status == 1 and "cannot write" in no_folder.error
 
 
 def changed_backup(board: str, path: Path) -> None:
@@ -237,8 +223,7 @@ def test_ctrl_c_in_the_middle_of_a_restore(tmp_path: Path) -> None:
         changed_backup(gimbal.address, file)
         restoring = Watched("params", "restore", str(file), "--yes", "-p", gimbal.address)
         restoring.wait_for("CMD_WRITE_PARAMS_3")
-        restoring.process.send_signal(signal.SIGINT)
-        ended = restoring.end()
+        ended = restoring.interrupt()
         assert ended.status == 130
         said = said_states(ended.error)
         assert said["ReadParams3 of profile 1"] == "new values, verified"
@@ -271,15 +256,7 @@ def test_the_factory_defaults(tmp_path: Path) -> None:
         board = gimbal.address
 
         def compare(*options: str) -> Result:
-            done = subprocess.run(
-                [PROGRAM, "params", "diff", "--defaults", *options, "-p", board],
-                cwd=tmp_path,
-                stdin=subprocess.DEVNULL,
-                capture_output=True,
-                timeout=30,
-                check=False,
-            )
-            return Result(done.returncode, done.stdout, done.stderr.decode())
+            return run("params", "diff", "--defaults", *options, "-p", board, cwd=tmp_path)
 
         assert compare("--yes").status == 0, "a new board has them"
         good(board, "set", "gyro_trust=11", "pitch.p=21", "--yes")
@@ -303,8 +280,7 @@ def test_interrupted_factory_defaults_are_undone(tmp_path: Path) -> None:
         for _ in range(5):
             comparing = Watched("params", "diff", "--defaults", "--yes", "-p", board, cwd=tmp_path)
             comparing.wait_for("CMD_USE_DEFAULTS")
-            comparing.process.send_signal(signal.SIGINT)
-            ended = comparing.end()
+            ended = comparing.interrupt()
             assert [body_of(board, profile) for profile in range(5)] == before
             # Otherwise it was at its end: a busy machine delays, but not each time.
             if ended.status not in (1, -signal.SIGINT):
@@ -318,8 +294,7 @@ def test_an_interrupted_reset_says_what_is_reset(tmp_path: Path) -> None:
         options = ("--all", "--yes", "--save-to", str(tmp_path / "saved.json"))
         resetting = Watched("params", "reset", *options, "-p", gimbal.address)
         resetting.wait_for("CMD_USE_DEFAULTS")
-        resetting.process.send_signal(signal.SIGINT)
-        ended = resetting.end()
+        ended = resetting.interrupt()
     assert ended.status == 130
     last = " ".join(ended.error.splitlines()[-3:])
     assert "reset; the parameters from before are in" in last and "saved.json" in last
@@ -342,13 +317,8 @@ def test_a_reset_without_confirmation_is_none(tmp_path: Path) -> None:
 
 
 def test_the_environment_is_not_needed(board: str) -> None:
-    done = subprocess.run(
-        [PROGRAM, "params", "get", "pitch.d", "-p", board],
-        env={"PATH": os.environ["PATH"]},
-        capture_output=True,
-        check=True,
-    )
-    assert b"axes.pitch.d" in done.stdout
+    done = run("params", "get", "pitch.d", "-p", board, env={"PATH": os.environ["PATH"]})
+    assert "axes.pitch.d" in done.text
 
 
 def test_variables_have_the_units_of_the_model(board: str) -> None:

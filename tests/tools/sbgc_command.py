@@ -6,8 +6,11 @@ from __future__ import annotations
 
 import json
 import os
+import random
 import re
+import socket
 import subprocess
+import threading
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Optional
@@ -36,7 +39,9 @@ class Result:
         return [json.loads(line) for line in self.text.splitlines()]
 
 
-def run(*arguments: str, stdin: bytes | str = b"", stdout: Optional[int] = None) -> Result:
+def run(
+    *arguments: str, stdin: bytes | str = b"", stdout: Optional[int] = None, **options: Any
+) -> Result:
     """Runs the program; it must exit by itself, for every input, and never by a signal."""
     done = subprocess.run(
         [PROGRAM, *arguments],
@@ -45,6 +50,7 @@ def run(*arguments: str, stdin: bytes | str = b"", stdout: Optional[int] = None)
         stderr=subprocess.PIPE,
         timeout=60,
         check=False,
+        **options,
     )
     result = Result(done.returncode, done.stdout or b"", done.stderr.decode())
     assert result.status in (0, 1, 2, 3), result
@@ -55,6 +61,55 @@ def run(*arguments: str, stdin: bytes | str = b"", stdout: Optional[int] = None)
         note = "sbgc: none of the frames is selected\n"
         assert (result.status == 0) == (result.error in ("", note)), result
     return result
+
+
+def free_port() -> int:
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return int(probe.getsockname()[1])
+
+
+def two_free_ports() -> int:
+    """Returns the first of two free consecutive ports, below the system's ephemeral range."""
+    while True:
+        port = random.randrange(10000, 30000)
+        try:
+            with socket.socket() as first, socket.socket() as second:
+                first.bind(("127.0.0.1", port))
+                second.bind(("127.0.0.1", port + 1))
+                return port
+        except OSError:
+            pass
+
+
+class Running(subprocess.Popen[str]):
+    """The program while it runs; its lines can be read."""
+
+    def __init__(self, *arguments: str, **options: Any) -> None:
+        pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
+        super().__init__([PROGRAM, *arguments], text=True, **pipes | options)
+
+    def line(self) -> str:
+        assert self.stdout is not None
+        return self.stdout.readline()
+
+    def address(self) -> str:
+        """Returns that in the next line: "emulated gimbal 1: tcp:127.0.0.1:5000 (also ...)"."""
+        return self.line().split(": ", 1)[1].split()[0]
+
+    def wait_for(self, words: str) -> list[str]:
+        """Returns what it has reported up to a line with these words."""
+        assert self.stderr is not None
+        deadline = threading.Timer(60, self.kill)
+        deadline.start()
+        lines = [""]
+        try:
+            while words not in lines[-1]:
+                lines.append(self.stderr.readline())
+                assert lines[-1], (words, lines)
+        finally:
+            deadline.cancel()
+        return lines[1:]
 
 
 def decode(stdin: bytes | str, *options: str) -> list[Any]:

@@ -52,10 +52,13 @@ class Terminal:
     def press(self, key: str) -> None:
         self.tmux("send-keys", key)
 
-    def run(self, *arguments: str) -> None:
-        """Types a command line of sbgc."""
-        self.type(" ".join([PROGRAM, *arguments]))
+    def enter(self, line: str) -> None:
+        self.type(line)
         self.press("Enter")
+
+    def run(self, *arguments: str) -> None:
+        """Enters a command line of sbgc."""
+        self.enter(" ".join([PROGRAM, *arguments]))
 
     def lines(self) -> list[str]:
         return self.tmux("capture-pane", "-p").split("\n")[:-1]
@@ -86,8 +89,7 @@ class Terminal:
     def state(self) -> str:
         """Returns the settings of the terminal, which the shell prints."""
         self.saved += 1
-        self.type(f"stty -g > state; echo sa''ved {self.saved}")
-        self.press("Enter")
+        self.enter(f"stty -g > state; echo sa''ved {self.saved}")
         self.wait(f"^saved {self.saved}")
         return (Path(self.socket).parent / "state").read_text()
 
@@ -107,8 +109,7 @@ def terminal(
     environment: Mapping[str, str] = os.environ,
 ) -> Iterator[Terminal]:
     result = Terminal(folder, width, height, locale, environment)
-    result.type(f"cd {folder}; PS1='$ '; clear")
-    result.press("Enter")
+    result.enter(f"cd {folder}; PS1='$ '; clear")
     try:
         # Text that is typed before the first prompt is echoed twice.
         result.wait(lambda lines: lines[0].rstrip() == "$")

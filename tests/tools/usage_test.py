@@ -61,9 +61,8 @@ def test_the_first_commands_without_a_gimbal_work(tmp_path: Path) -> None:
             [PROGRAM, *found[1].split()], cwd=tmp_path, stdout=subprocess.PIPE
         ) as emulator:
             assert emulator.stdout and emulator.stdout.readline()
-            done = subprocess.run([PROGRAM, *found[2].split(), "info"], cwd=tmp_path, check=False)
+            assert run(*found[2].split(), "info", cwd=tmp_path).status == 0
             emulator.terminate()
-        assert done.returncode == 0
 
 
 def test_the_options_of_a_gimbal_are_explained_once() -> None:
@@ -109,10 +108,7 @@ def test_help_tells_what_the_exit_status_means() -> None:
 def lines_of_help(arguments: list[str], **environment: str) -> list[str]:
     """Returns the lines of the help if the standard output is not a terminal."""
     plain = {key: value for key, value in os.environ.items() if key != "COLUMNS"}
-    done = subprocess.run(
-        [PROGRAM, *arguments], env={**plain, **environment}, capture_output=True, check=True
-    )
-    return done.stdout.decode().splitlines()
+    return run(*arguments, env={**plain, **environment}).text.splitlines()
 
 
 @pytest.mark.parametrize("arguments", HELP)

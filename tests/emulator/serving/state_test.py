@@ -55,13 +55,6 @@ def test_state_survives(tmp_path: Path) -> None:
     assert "firmware 2.59, not of" in refused("--state", str(state), "--firmware", "2.43b9")
 
 
-def test_a_file_that_is_made_to_do_harm_is_refused(tmp_path: Path) -> None:
-    state = tmp_path / "state"
-    state.write_text("[" * 200_000 + "]" * 200_000)
-    error = refused("--state", str(state))
-    assert f"{state}: nested deeper than 64 levels (line 1, column 65)" in error
-
-
 def test_what_is_confirmed_is_on_the_disk(tmp_path: Path) -> None:
     state = tmp_path / "state"
     before = b"\xff" * 128
