@@ -14,11 +14,11 @@ from brokers import (
     Subscriber,
     certificates,
     client,
-    free_port,
     program,
     signed,
 )
 from gateway import Gateway, eventually, running_gateway
+from sbgc_command import free_port
 from studio import fleet_of, gimbal_of, running_studio
 
 ACL = Path(__file__).parents[1] / "deploy/mosquitto.acl"

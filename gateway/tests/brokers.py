@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import Any, Optional
 
 from gateway import eventually
+from sbgc_command import free_port
 
 
 def program(name: str) -> str:
@@ -24,12 +25,6 @@ def program(name: str) -> str:
     found = shutil.which(name, path=os.environ["PATH"] + ":/usr/sbin:/usr/local/sbin")
     assert found is not None, f"{name} is missing"
     return found
-
-
-def free_port() -> int:
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return int(probe.getsockname()[1])
 
 
 def accepts(port: int) -> bool:

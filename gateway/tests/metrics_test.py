@@ -14,10 +14,9 @@ from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from typing import Any
 
-from brokers import free_port
 from emulated_gimbal import EmulatedGimbal, emulated_gimbal
 from gateway import eventually, running_gateway
-from sbgc_command import run
+from sbgc_command import free_port, run
 from studio import fleet_of, gimbal_of, running_broker
 
 HERE = Path(__file__).parent

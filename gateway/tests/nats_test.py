@@ -9,9 +9,10 @@ from pathlib import Path
 
 import pytest
 
-from brokers import Commander, Nats, Subscriber, free_port, now
+from brokers import Commander, Nats, Subscriber, now
 from emulated_gimbal import emulated_gimbal
 from gateway import eventually, running_gateway
+from sbgc_command import free_port
 from studio import fleet_of, gimbal_of
 
 BEFORE = 20

@@ -5,13 +5,11 @@ from __future__ import annotations
 import signal
 import socket
 import struct
-import subprocess
-import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 
 from emulated_gimbal import emulated_gimbal
-from sbgc_command import PROGRAM, frame
+from sbgc_command import Running, frame
 from screens import Terminal
 
 GET_ANGLES = 73
@@ -31,36 +29,11 @@ class Bridge:
     """A running `sbgc bridge`."""
 
     def __init__(self, address: str, *places: str) -> None:
-        self.process = subprocess.Popen(
-            [PROGRAM, "bridge", address, *places],
-            stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE,
-            text=True,
-        )
-        assert self.process.stdout is not None
-        self.addresses = []
-        for _ in range(sum(place in PLACES for place in places)):
-            line = self.process.stdout.readline()
-            assert line.startswith("bridge: "), (line, self.process.stderr)
-            self.addresses.append(line.split(": ", 1)[1].split()[0])
+        self.process = Running("bridge", address, *places)
+        count = sum(place in PLACES for place in places)
+        self.addresses = [self.process.address() for _ in range(count)]
         self.address = self.addresses[0]
-
-    def lines_until(self, words: str) -> list[str]:
-        """Returns what it has reported up to a line with these words."""
-        assert self.process.stderr is not None
-        deadline = threading.Timer(30, self.process.kill)
-        deadline.start()
-        lines = [""]
-        try:
-            while words not in lines[-1]:
-                lines.append(self.process.stderr.readline())
-                assert lines[-1], words
-        finally:
-            deadline.cancel()
-        return lines[1:]
-
-    def wait_for(self, words: str) -> None:
-        self.lines_until(words)
+        self.wait_for = self.process.wait_for
 
     def stop(self) -> None:
         self.process.send_signal(signal.SIGINT)

@@ -333,7 +333,7 @@ def test_refusals_are_reported_a_few_at_a_time() -> None:
             page = WebSocket(bridge.address, "?token=wrong")
             assert page.status == 401
             page.close()
-        reports = bridge.lines_until("further refusals in this second")
+        reports = bridge.wait_for("further refusals in this second")
         assert sum("does not know the token" in line for line in reports) == 5
 
 
@@ -346,7 +346,7 @@ def test_the_origin_of_a_refused_page_is_reported_printably(origin: str, shown: 
         page = WebSocket(bridge.address, f"?token={TOKEN}", origin)
         assert page.status == 403
         page.close()
-        line = bridge.lines_until("refused")[-1]
+        line = bridge.wait_for("refused")[-1]
         assert f"refused: pages of '{shown}' are not allowed; see --origin" in line
 
 

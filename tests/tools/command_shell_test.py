@@ -82,11 +82,9 @@ def begin(terminal_of_test: Terminal, address: str) -> None:
 def test_a_line_with_a_password_is_neither_run_nor_kept(tmp_path: Path, history: Path) -> None:
     with emulated_gimbal() as gimbal, terminal(tmp_path) as screen:
         begin(screen, gimbal.address)
-        screen.type("send CMD_PASS_PROTECT_WRITE new_password=Sesam77")
-        screen.press("Enter")
+        screen.enter("send CMD_PASS_PROTECT_WRITE new_password=Sesam77")
         screen.wait("^sbgc: new_password is secret")
-        screen.type("describe bat_level")
-        screen.press("Enter")
+        screen.enter("describe bat_level")
         # The key ends the shell at its prompt only.
         screen.wait("Battery voltage(?s:.*)^sbgc>$")
         screen.press("C-d")
@@ -132,23 +130,19 @@ def test_keys_on_a_terminal(tmp_path: Path, history: Path) -> None:
         screen.wait(r"^sbgc> decode some\\ file")
         leave_line(screen)
         # Ctrl-C ends a command, not the shell.
-        screen.type("stream --rate 5")
-        screen.press("Enter")
+        screen.enter("stream --rate 5")
         screen.wait(r"^ +\d\.\d+ ( +-?\d\.\d+){3}")
         screen.press("C-c")
         screen.wait(r"\^C.*\n(.*\n)?sbgc>$")
-        screen.type("motors off")
-        screen.press("Enter")
+        screen.enter("motors off")
         screen.wait(r"Continue\? \[y/N\]")
-        screen.type("n")
-        screen.press("Enter")
+        screen.enter("n")
         screen.wait("^sbgc: not confirmed\nsbgc>$")
         screen.press("C-d")
         screen.wait(r"^sbgc> \^D\n\$")
         assert screen.state() == before
         assert history.stat().st_mode & 0o777 == 0o600
-        screen.type("clear")
-        screen.press("Enter")
+        screen.enter("clear")
         begin(screen, gimbal.address)
         screen.press("Up")
         screen.wait("^sbgc> motors off")
@@ -160,8 +154,7 @@ def test_a_lost_connection_is_restored_by_the_next_command(tmp_path: Path) -> No
             begin(screen, gimbal.address)
         port = gimbal.address.rsplit(":", 1)[1]
         with emulated_gimbal("--tcp", port):
-            screen.type("params get pitch.poles")
-            screen.press("Enter")
+            screen.enter("params get pitch.poles")
             lines = screen.wait(r"^axes\.pitch\.poles = 14")
     said = " ".join(lines)
     assert "sbgc: " in said and ("connected again" in said or "connecting again" in said), lines

@@ -10,7 +10,6 @@ import pytest
 
 from sbgc_command import MODEL, frame, run
 
-GET_ANGLES = frame(73)
 MODE = "the port is not in raw mode"
 
 

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import subprocess
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-from sbgc_command import PROGRAM
+from sbgc_command import Running
 
 
 class EmulatedGimbal:
@@ -15,13 +14,8 @@ class EmulatedGimbal:
     def __init__(self, *options: str) -> None:
         places = ("--tcp", "--udp", "--pty", "--link")
         where = () if any(option in places for option in options) else ("--tcp", "0")
-        self.process = subprocess.Popen(
-            [PROGRAM, "emulate", *where, *options], stdout=subprocess.PIPE, text=True
-        )
-        assert self.process.stdout is not None
-        line = self.process.stdout.readline()
-        # "emulated gimbal 1: tcp:127.0.0.1:5000", "emulated gimbal 1: /dev/pts/7 (also ...)"
-        self.address = line.split(": ", 1)[1].split()[0]
+        self.process = Running("emulate", *where, *options, stderr=None)
+        self.address = self.process.address()
 
     @property
     def address_with_rate(self) -> str:

@@ -20,7 +20,7 @@ from emulated_gimbal import EmulatedGimbal, emulated_gimbal
 from full_output import KINDS, Output, full_output
 from gimbal_observer import Observer
 from relay import frames_in, relay_to
-from sbgc_command import PROGRAM, frame, run
+from sbgc_command import PROGRAM, frame, free_port, run
 
 CONTROL = 67
 AUTO_PID = 35
@@ -196,11 +196,6 @@ def ask(host: socket.socket, times: int) -> None:
             assert part
             answer += part
         assert answer[1] == BOARD_INFO
-
-
-def free_port() -> int:
-    with socket.create_server(("127.0.0.1", 0)) as listener:
-        return int(listener.getsockname()[1])
 
 
 def connected_to(port: int) -> socket.socket:

@@ -139,13 +139,11 @@ def run_on_terminal(
     folder: Path, example: str, environment: dict[str, str], shown: str, key: str
 ) -> None:
     with TemporaryDirectory() as own, terminal(Path(own), environment=environment) as screen:
-        screen.type(f"cd {folder}; {example}")
-        screen.press("Enter")
+        screen.enter(f"cd {folder}; {example}")
         screen.wait(shown)
         screen.press(key)
         screen.wait(r"^\$$")
-        screen.type("echo status $?")
-        screen.press("Enter")
+        screen.enter("echo status $?")
         screen.wait("^status 0")
 
 

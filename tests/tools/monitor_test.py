@@ -208,19 +208,8 @@ def test_pause_and_zero(tmp_path: Path) -> None:
         begin(shell, gimbal)
         shell.press("p")
         paused = shell.wait("PAUSED")
-        assert (
-            run(
-                "send",
-                "CMD_CONTROL",
-                "control_mode=MODE_ANGLE",
-                "axes.pitch.angle=-20deg",
-                "axes.pitch.speed=60deg/s",
-                "--yes",
-                "-p",
-                gimbal.address,
-            ).status
-            == 0
-        )
+        move = ("move", "--pitch", "-20", "--speed", "60", "--yes")
+        assert run(*move, "-p", gimbal.address).status == 0
         assert abs(angle(paused, "pitch")) < 1
         shell.press("p")
         shell.wait(lambda now: angle(now, "pitch") < -19.5)

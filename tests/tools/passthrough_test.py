@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import socket
-import subprocess
 import threading
 import time
 import tty
@@ -14,7 +13,7 @@ import pytest
 
 from bridge import TOKEN, Host, bridge_to
 from emulated_gimbal import emulated_gimbal
-from sbgc_command import PROGRAM, frame
+from sbgc_command import Running, frame
 from web_socket import WebSocket
 
 BOOT_MODE = 51
@@ -136,18 +135,11 @@ def test_a_terminal_whose_program_does_not_read_a_bootloader_is_replaced(tmp_pat
 def test_a_replay_waits_for_slow_hosts_but_not_for_ever(tmp_path: Path) -> None:
     sends = frame(73) + numbered_bytes(32 << 20)
     (tmp_path / "bytes").write_bytes(sends)
-    with subprocess.Popen(
-        [PROGRAM, "replay", str(tmp_path / "bytes"), "--tcp", "0"],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-    ) as replay:
-        assert replay.stdout is not None and replay.stderr is not None
-        address = replay.stdout.readline().split()[1]
+    with Running("replay", str(tmp_path / "bytes"), "--tcp", "0") as replay:
+        address = replay.address()
         deaf, slow = Host(address), Host(address)
         received = slow.stream.read(1 << 20)
-        while "host 0 must leave: it does not read" not in (line := replay.stderr.readline()):
-            assert line
+        replay.wait_for("host 0 must leave: it does not read")
         received += slow.stream.read()
         assert len(received) > 16 << 20 and sends.endswith(received), "all since it has connected"
         heard = deaf.stream.read()

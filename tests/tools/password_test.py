@@ -18,7 +18,7 @@ import pytest
 from board_command import Terminal
 from bridge import Bridge, Host
 from emulated_gimbal import emulated_gimbal
-from sbgc_command import PROGRAM, frame, run
+from sbgc_command import Running, frame, run
 
 PASSWORD = "sesame, öffne"
 OPENING = b"\x00\x00" + bytes([len(PASSWORD.encode())]) + PASSWORD.encode()
@@ -268,7 +268,7 @@ def test_a_host_of_a_bridge_sends_no_password_unless_it_is_allowed(tmp_path: Pat
         command, body = host.receive()
         assert (command, body[:2]) == (ERROR, bytes([BOARD_INFO, 8]))
         assert len(host.ask(BOARD_INFO, b"\x00\x00")) == 18
-        lines = bridge.lines_until("--allow-passwords lets it pass")
+        lines = bridge.wait_for("--allow-passwords lets it pass")
         host.close()
         bridge.stop()
         assert not shows_password("".join(lines), capture.read_bytes())
@@ -311,12 +311,8 @@ def test_it_is_sent_again_with_each_connection(tmp_path: Path) -> None:
     thread = threading.Thread(target=serve)
     thread.start()
     address = "tcp:127.0.0.1:%d" % server.getsockname()[1]
-    record = subprocess.Popen(
-        [PROGRAM, "record", "-p", address, "--password-file", password, str(tmp_path / "capture")],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-    )
+    options = ("-p", address, "--password-file", password)
+    record = Running("record", *options, str(tmp_path / "capture"))
     thread.join(30)
     record.send_signal(signal.SIGINT)
     out, errors = record.communicate(timeout=20)

@@ -4,14 +4,12 @@ from __future__ import annotations
 
 import json
 import signal
-import socket
-import subprocess
 from pathlib import Path
 
 import pytest
 
 from emulated_gimbal import emulated_gimbal
-from sbgc_command import PROGRAM
+from sbgc_command import Running, two_free_ports
 
 
 def ports_file(path: Path, *ports: tuple[str, str]) -> Path:
@@ -26,35 +24,21 @@ def ports_file(path: Path, *ports: tuple[str, str]) -> Path:
     return path
 
 
-class Streaming:
+class Streaming(Running):
     """A running `sbgc stream` that prints JSON lines."""
 
-    def __init__(self, address: str, environment: dict[str, str] | None = None) -> None:
-        self.process = subprocess.Popen(
-            [PROGRAM, "stream", "RealtimeData4", "--rate", "20", "--format", "jsonl",
-             "--fields", "angle.*", "-p", address],
-            stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE,
-            text=True,
-            env=environment,
-        )  # fmt: skip
+    def __init__(self, address: str) -> None:
+        options = ("--rate", "20", "--format", "jsonl", "--fields", "angle.*")
+        super().__init__("stream", "RealtimeData4", *options, "-p", address)
 
     def read(self, count: int = 3) -> None:
-        assert self.process.stdout is not None
         for _ in range(count):
-            assert json.loads(self.process.stdout.readline())["fields"]
-
-    def wait_for(self, words: str) -> None:
-        assert self.process.stderr is not None
-        seen = []
-        while not seen or words not in seen[-1]:
-            seen.append(self.process.stderr.readline())
-            assert seen[-1], seen
+            assert json.loads(self.line())["fields"]
 
     def finish(self) -> None:
-        self.process.send_signal(signal.SIGINT)
-        self.process.communicate(timeout=20)
-        assert self.process.returncode == 0
+        self.send_signal(signal.SIGINT)
+        self.communicate(timeout=20)
+        assert self.returncode == 0
 
 
 def test_a_gimbal_that_is_killed_and_started_again() -> None:
@@ -99,18 +83,6 @@ def test_an_adapter_under_another_name(tmp_path: Path, monkeypatch: pytest.Monke
         streaming.wait_for(f"connected again: serial port {second.address}")
         streaming.read()
         streaming.finish()
-
-
-def two_free_ports() -> int:
-    """Returns the first of two."""
-    while True:
-        with socket.create_server(("127.0.0.1", 0)) as second:
-            first = second.getsockname()[1] - 1
-            try:
-                socket.create_server(("127.0.0.1", first)).close()
-            except OSError:
-                continue
-            return first
 
 
 def test_another_board_is_not_used() -> None:

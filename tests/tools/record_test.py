@@ -10,7 +10,6 @@ import socket
 import struct
 import subprocess
 import tty
-from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -18,7 +17,7 @@ import pytest
 
 from captures import ANGLES, CAPTURE, FROM_BOARD, NOTE, keys, records
 from emulated_gimbal import EmulatedGimbal, emulated_gimbal
-from sbgc_command import PROGRAM, decode, run
+from sbgc_command import PROGRAM, Running, decode, run
 
 
 @pytest.fixture(scope="module", params=["tcp", "pty"])
@@ -27,10 +26,6 @@ def gimbal(request: pytest.FixtureRequest) -> Iterator[EmulatedGimbal]:
     with emulated_gimbal(*options) as running:
         running.address = running.address_with_rate
         yield running
-
-
-def messages(capture: bytes) -> Counter[str]:
-    return Counter(line["message"] for line in decode(capture))
 
 
 def rate_of(message: str, capture: Path) -> float:
@@ -64,21 +59,13 @@ def test_an_existing_capture_gets_another_session(gimbal: EmulatedGimbal, tmp_pa
 def test_the_gimbal_is_killed_and_started_again(tmp_path: Path) -> None:
     capture = tmp_path / "capture"
     with emulated_gimbal() as gimbal:
-        process = subprocess.Popen(
-            [PROGRAM, "record", "-p", gimbal.address, str(capture), "--stream", "RealtimeData4"],
-            stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE,
-            text=True,
-        )
-        assert process.stderr is not None and process.stdout is not None
-        process.stdout.readline()
+        process = Running("record", gimbal.address, str(capture), "--stream", "RealtimeData4")
+        process.line()
         gimbal.kill()
-        while "connecting again" not in process.stderr.readline():
-            pass
+        process.wait_for("connecting again")
         port = gimbal.address.rsplit(":", 1)[1]
         with emulated_gimbal("--tcp", port):
-            while "connected again" not in process.stderr.readline():
-                pass
+            process.wait_for("connected again")
             size = capture.stat().st_size
             while capture.stat().st_size < size + 1000:
                 assert process.poll() is None
@@ -93,15 +80,8 @@ def test_replay_serves_a_capture(gimbal: EmulatedGimbal, tmp_path: Path) -> None
     capture = tmp_path / "capture"
     arguments = ("record", gimbal.address, str(capture), "--stream", "RealtimeData4")
     assert run(*arguments, "--for", "500ms").status == 0
-    process = subprocess.Popen(
-        [PROGRAM, "replay", str(capture), "--speed", "5", "--tcp", "0"],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-    )
-    assert process.stdout is not None
-    address = process.stdout.readline().split(": ", 1)[1].strip()
-    copy = run("record", address, "-")
+    process = Running("replay", str(capture), "--speed", "5", "--tcp", "0")
+    copy = run("record", process.address(), "-")
     assert copy.status == 0, copy
     process.communicate(timeout=20)
     assert process.returncode == 0
@@ -130,17 +110,10 @@ def host_at(address: str) -> socket.socket:
 
 
 def test_replay_stops_at_a_signal(minute: Path) -> None:
-    with subprocess.Popen(
-        [PROGRAM, "replay", str(minute), "--speed", "0.005", "--tcp", "0"],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-    ) as process:
-        assert process.stdout is not None and process.stderr is not None
+    with Running("replay", str(minute), "--speed", "0.005", "--tcp", "0") as process:
         try:
-            address = process.stdout.readline().split(": ", 1)[1].strip()
-            with host_at(address):
-                assert "is host 0" in process.stderr.readline()
+            with host_at(process.address()):
+                process.wait_for("is host 0")
                 process.send_signal(signal.SIGTERM)
                 assert process.wait(timeout=20) == 0
         finally:
@@ -171,17 +144,10 @@ def test_a_damaged_capture_is_no_whole_one(tmp_path: Path) -> None:
     reason = f"sbgc: {damaged} has damaged parts, which are left out: the last "
     result = run("record", f"capture:{damaged}?timing=fast", str(copy))
     assert result.status == 1 and reason.lower() in result.error.lower() and copy.exists(), result
-    with subprocess.Popen(
-        [PROGRAM, "replay", str(damaged), "--tcp", "0"],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-    ) as process:
-        assert process.stdout is not None and process.stderr is not None
-        address = process.stdout.readline().split(": ", 1)[1].strip()
-        assert run("record", address, "-").status == 0
+    with Running("replay", str(damaged), "--tcp", "0") as process:
+        assert run("record", process.address(), "-").status == 0
+        process.wait_for("are left out: The last")
         assert process.wait(timeout=20) == 1
-        assert "are left out: The last" in process.stderr.read()
 
 
 @pytest.mark.parametrize(
@@ -235,20 +201,15 @@ def test_record_from_a_serial_port_until_it_is_unplugged(tmp_path: Path) -> None
     master, slave = pty.openpty()
     tty.setraw(slave)
     capture = tmp_path / "capture"
-    with subprocess.Popen(
-        [PROGRAM, "record", f"{os.ttyname(slave)}?baud=57600", str(capture)],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-    ) as process:
-        assert process.stdout and process.stderr
-        assert b"57600 8N1" in process.stdout.readline()
+    with Running("record", f"{os.ttyname(slave)}?baud=57600", str(capture)) as process:
+        assert "57600 8N1" in process.line()
         os.close(slave)
         os.write(master, ANGLES)
         while sum(len(d) for k, d in records_so_far(capture) if k == FROM_BOARD) < len(ANGLES):
             assert process.poll() is None
         os.close(master)
+        process.wait_for("unplugged")
         assert process.wait(60) == 1
-        assert b"unplugged" in process.stderr.read()
     assert keys(decode(capture.read_bytes()), "message") == [("GetAngles",)]
 
 

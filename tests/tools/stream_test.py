@@ -18,7 +18,7 @@ from pathlib import Path
 import pytest
 
 from emulated_gimbal import EmulatedGimbal, emulated_gimbal
-from sbgc_command import PROGRAM, Result, frame, run
+from sbgc_command import PROGRAM, Result, Running, frame, run
 
 
 @pytest.fixture(scope="module", params=["tcp", "pty"])
@@ -117,8 +117,7 @@ def table_on_terminal(gimbal: EmulatedGimbal, columns: int, *stream: str) -> lis
 def test_a_restart_is_reported() -> None:
     with emulated_gimbal() as board:
         process = start(board, "RealtimeData4", "--format", "jsonl", "--for", "8s")
-        assert process.stdout is not None
-        process.stdout.readline()
+        process.line()
         assert run("reset", "-p", board.address, "--yes").status == 0
         _, error = process.communicate(timeout=60)
     assert "the board may have restarted" in error or "connected again" in error
@@ -153,20 +152,14 @@ def test_a_capture_ends(gimbal: EmulatedGimbal, tmp_path: Path) -> None:
     assert result.status == 1 and "has damaged parts, which are left out" in result.error
 
 
-def start(gimbal: EmulatedGimbal, *arguments: str) -> subprocess.Popen[str]:
-    return subprocess.Popen(
-        [PROGRAM, "stream", "-p", gimbal.address, *arguments],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-    )
+def start(gimbal: EmulatedGimbal, *arguments: str) -> Running:
+    return Running("stream", "-p", gimbal.address, *arguments)
 
 
 def test_each_row_is_written_at_once_and_ctrl_c_is_an_end(gimbal: EmulatedGimbal) -> None:
     process = start(gimbal, "RealtimeData4", "--format", "jsonl", "--rate", "10")
-    assert process.stdout is not None
     for _ in range(3):
-        assert json.loads(process.stdout.readline())["time"] > 0
+        assert json.loads(process.line())["time"] > 0
     process.send_signal(signal.SIGINT)
     _, error = process.communicate(timeout=20)
     assert (process.returncode, without_losses(error)) == (0, "")

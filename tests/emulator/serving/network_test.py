@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import fcntl
-import random
 import socket
 import sys
 import termios
@@ -23,7 +22,7 @@ from emulator import (
     refused,
     stream,
 )
-from sbgc_command import frame
+from sbgc_command import frame, two_free_ports
 
 
 @pytest.mark.parametrize("protocol", ["tcp", "udp"])
@@ -202,19 +201,6 @@ def test_udp_loses_a_datagram_when_an_earlier_one_waits() -> None:
         assert emulator.process.stdout is not None
         while b"lost a datagram of 4000 bytes" not in emulator.process.stdout.readline():
             assert emulator.process.poll() is None
-
-
-def two_free_ports() -> int:
-    """Returns the first of two free consecutive ports, below the system's ephemeral range."""
-    while True:
-        port = random.randrange(10000, 30000)
-        try:
-            with socket.socket() as first, socket.socket() as second:
-                first.bind(("127.0.0.1", port))
-                second.bind(("127.0.0.1", port + 1))
-                return port
-        except OSError:
-            pass
 
 
 def test_ports_in_a_row() -> None:
