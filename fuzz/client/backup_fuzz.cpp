@@ -2,11 +2,6 @@
 // an error with a message, in time in proportion to its size; a backup survives being written and
 // read again.
 
-#include <chrono>
-#include <cstddef>
-#include <cstdint>
-#include <string>
-
 #include <sbgc/client/backup.hpp>
 
 #include "hostile_text.hpp"

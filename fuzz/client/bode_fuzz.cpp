@@ -2,11 +2,7 @@
 // names a line, in time in proportion to its size; a recording survives being written and read
 // again.
 
-#include <chrono>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <string>
 
 #include <sbgc/client/bode.hpp>
 

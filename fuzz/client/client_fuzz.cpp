@@ -7,26 +7,15 @@
 // block of parameters is the old or the new one, also after a power cycle. After any line, a good
 // one works again, and delivers each sample of a data stream once.
 
-#include <algorithm>
-#include <array>
 #include <chrono>
-#include <cstddef>
-#include <cstdint>
 #include <map>
 #include <memory>
-#include <optional>
-#include <span>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include <sbgc/any.hpp>
 #include <sbgc/client/calibrations.hpp>
 #include <sbgc/client/tasks.hpp>
 
-#include "client/virtual_client.hpp"
 #include "hostile_line.hpp"
-#include "input.hpp"
 #include "tasks/hold_speed.hpp"
 
 namespace {

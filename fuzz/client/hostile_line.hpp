@@ -1,14 +1,8 @@
 /// A line that treats each frame as the fuzzer's input says.
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <cstdint>
 #include <deque>
 #include <functional>
-#include <span>
-#include <utility>
-#include <vector>
 
 #include <sbgc/parser.hpp>
 

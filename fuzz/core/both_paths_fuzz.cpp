@@ -2,7 +2,6 @@
 // the same results on both. framing_paths.cpp and messages_paths.cpp define the inputs.
 
 #include <cstddef>
-#include <cstdint>
 #include <cstdlib>
 
 #include "core/both_paths.hpp"

@@ -7,14 +7,6 @@
 //   250..254: flush
 //   255:      feed the remaining bytes
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <utility>
-#include <vector>
-
 #include <sbgc/frame.hpp>
 #include <sbgc/parser.hpp>
 #include <sbgc/small_parser.hpp>

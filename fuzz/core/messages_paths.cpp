@@ -5,14 +5,6 @@
 // their texts, the violations and the frames. At run time, a message has a type that is known only
 // then: these are the functions that the library has compiled for each message.
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <string_view>
-#include <vector>
-
 #ifndef SBGC_AS_CONSTANT
 #include <sbgc/any.hpp>
 #endif

@@ -5,14 +5,7 @@
 // advance(). Whatever the hosts have sent, the next one is served soon: its request is answered,
 // and it gets each sample of its data stream once, if there is room for it.
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
 #include <set>
-#include <span>
-#include <vector>
 
 #include <sbgc/availability.hpp>
 #include <sbgc/dispatch.hpp>
@@ -56,22 +49,9 @@ class Player {
     sbgc::ParserOfAll parser{};
   };
 
-  std::uint8_t byte() {
-    if (input_.empty()) return 0;
-    const std::uint8_t result = input_.front();
-    input_ = input_.subspan(1);
-    return result;
-  }
-
-  std::span<const std::uint8_t> bytes(std::size_t count) {
-    const auto result = input_.first(std::min(count, input_.size()));
-    input_ = input_.subspan(result.size());
-    return result;
-  }
-
   sbgc::emulator::BoardOptions options() {
     sbgc::emulator::BoardOptions result;
-    const std::uint8_t choice = byte();
+    const std::uint8_t choice = input_.byte();
     switch (choice & 3) {
       case 1: result.firmware = sbgc::msg::FirmwareVersion(2439); break;
       case 2:
@@ -102,27 +82,27 @@ class Player {
   }
 
   void step() {
-    const std::uint8_t code = byte();
+    const std::uint8_t code = input_.byte();
     framing_ = (code & 64) != 0 ? sbgc::framings.back() : sbgc::basic_framing;
     switch (code % 12) {
       case 0: open(); break;
       case 1: port_ = code / 12U % ports_.size(); break;
-      case 2: send(bytes(byte())); break;
+      case 2: send(input_.bytes(input_.byte())); break;
       case 3:
       case 4:
       case 5: {  // any frame
-        const std::uint8_t id = byte();
-        send_frame(id, bytes(byte()));
+        const std::uint8_t id = input_.byte();
+        send_frame(id, input_.bytes(input_.byte()));
         break;
       }
       case 6: {  // a request of the model with any body
-        const std::uint8_t index = byte();
-        send_form(index, byte());
+        const std::uint8_t index = input_.byte();
+        send_form(index, input_.byte());
         break;
       }
-      case 7: advance(sbgc::microseconds(100) * byte()); break;
-      case 8: advance(sbgc::milliseconds(4) * byte()); break;
-      case 9: read(port_, byte() * std::size_t{8}); break;
+      case 7: advance(sbgc::microseconds(100) * input_.byte()); break;
+      case 8: advance(sbgc::milliseconds(4) * input_.byte()); break;
+      case 9: read(port_, input_.byte() * std::size_t{8}); break;
       case 10: {
         const Instant next = board_.next();
         if (next != Instant::never) advance(std::min(next - now_, sbgc::seconds(3)));
@@ -140,7 +120,7 @@ class Player {
       board_.restart(now_);
       for (Port& port : ports_) port.is_torn = true;
     } else if (code < 120) {
-      board_.gimbal().set_battery(byte() / 10.0, now_);
+      board_.gimbal().set_battery(input_.byte() / 10.0, now_);
     } else if (code < 150) {
       board_.memory_saved(board_.memory().revision, now_);
     } else if (code < 170) {
@@ -204,7 +184,7 @@ class Player {
       if constexpr (M::direction != sbgc::Direction::from_board) {
         if (at++ != index) return;
         send_frame(static_cast<std::uint8_t>(M::command),
-                   bytes(std::min<std::size_t>(M::max_size, M::min_size + extra % 64)));
+                   input_.bytes(std::min<std::size_t>(M::max_size, M::min_size + extra % 64)));
       }
     });
   }
@@ -245,7 +225,7 @@ class Player {
     return commands;
   }
 
-  std::span<const std::uint8_t> input_;
+  sbgc::fuzz::Input input_;
   Board board_;
   Instant now_{};
   std::size_t port_{};

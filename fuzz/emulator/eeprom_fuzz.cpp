@@ -5,13 +5,7 @@
 // Invariants: parameters that were written are read back, also after a restart; a failing operation
 // on files changes nothing, and a successful one has its effect.
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
 #include <memory>
-#include <span>
-#include <vector>
 
 #include <sbgc/internal/crc32.hpp>
 #include <sbgc/meta/variables.hpp>
@@ -45,31 +39,21 @@ class Player {
   }
 
  private:
-  std::uint8_t byte() {
-    if (input_.empty()) return 0;
-    const std::uint8_t result = input_.front();
-    input_ = input_.subspan(1);
-    return result;
-  }
   std::uint16_t number() {
-    const std::uint8_t high = byte();
-    return static_cast<std::uint16_t>(high * 256 + byte());
-  }
-  std::span<const std::uint8_t> bytes(std::size_t most) {
-    const auto result = input_.first(std::min(input_.size(), most));
-    input_ = input_.subspan(result.size());
-    return result;
+    const std::uint8_t high = input_.byte();
+    return static_cast<std::uint16_t>(high * 256 + input_.byte());
   }
 
   void step() {
-    switch (byte() % 12) {
+    switch (input_.byte() % 12) {
       case 0: return write_raw();
       case 1: return write_pages();
       case 2: return write_record();
       case 3: return write_table();
       case 4: return restart();
       case 5:
-        return settings_->select_profile(byte() % ParametersOf<sbgc::msg::ReadParams3>::copies);
+        return settings_->select_profile(input_.byte() %
+                                         ParametersOf<sbgc::msg::ReadParams3>::copies);
       case 6: return set_variable();
       case 7: return write_parameters();
       case 8: return write_file();
@@ -81,12 +65,13 @@ class Player {
 
   void write_raw() {
     const std::size_t at = number() % Memory::eeprom_size;
-    const auto written = bytes(std::min<std::size_t>(byte(), Memory::eeprom_size - at));
+    const auto written =
+        input_.bytes(std::min<std::size_t>(input_.byte(), Memory::eeprom_size - at));
     eeprom_.write(at, written);
   }
   void write_pages() {
     const std::uint32_t address = number() * 65536U + number();
-    const std::vector<std::uint8_t> page(byte(), byte());
+    const std::vector<std::uint8_t> page(input_.byte(), input_.byte());
     const Memory before = memory_;
     if (!eeprom_.write_pages(address, page)) {
       require(memory_ == before);
@@ -98,22 +83,24 @@ class Player {
   /// Writes a valid record of any message at any address.
   void write_record() {
     const std::size_t size = sbgc::emulator::record_size();
-    const std::size_t at = byte() % 24U * size;
-    const sbgc::emulator::RecordId id{static_cast<sbgc::msg::CommandFromBoard>(byte()), byte()};
-    require(sbgc::emulator::write_record(eeprom_, at, id, bytes(byte())));
+    const std::size_t at = input_.byte() % 24U * size;
+    const sbgc::emulator::RecordId id{static_cast<sbgc::msg::CommandFromBoard>(input_.byte()),
+                                      input_.byte()};
+    require(sbgc::emulator::write_record(eeprom_, at, id, input_.bytes(input_.byte())));
   }
   /// Writes a file table with a valid checksum.
   void write_table() {
     std::array<std::uint8_t, FileSystem::most_files * 8 + 4> table{};
     table.fill(0xFF);
     const auto entries = std::span(table).first(FileSystem::most_files * 8);
-    std::ranges::copy(bytes(std::min<std::size_t>(byte(), entries.size())), table.begin());
+    std::ranges::copy(input_.bytes(std::min<std::size_t>(input_.byte(), entries.size())),
+                      table.begin());
     sbgc::wire::store(table.data() + entries.size(), sbgc::detail::crc32(entries));
     eeprom_.write(sbgc::emulator::layout::files, table);
   }
   void restart() { settings_ = std::make_unique<Parameters>(memory_); }
   void set_variable() {
-    const auto id = static_cast<sbgc::msg::VariableId>(byte());
+    const auto id = static_cast<sbgc::msg::VariableId>(input_.byte());
     const auto value = static_cast<std::int32_t>(number() * 65536U + number());
     const auto before = settings_->variable(id);
     require(before.has_value() == (sbgc::find_variable(id) != nullptr));
@@ -121,12 +108,12 @@ class Player {
     require(settings_->variable(id) == (is_set ? value : before));
   }
   void write_parameters() {
-    const std::uint8_t which = byte() % 6, copy = byte();
+    const std::uint8_t which = input_.byte() % 6, copy = input_.byte();
     std::uint8_t number = 0;
     ParameterMessages::for_each([&]<class M>(Type<M>) {
       if (number++ != which || copy >= ParametersOf<M>::copies) return;
       M message{};
-      if (!sbgc::decode(bytes(M::min_size + byte() % 16), message)) return;
+      if (!sbgc::decode(input_.bytes(M::min_size + input_.byte() % 16), message)) return;
       require(settings_->write(copy, message));
       if constexpr (ParametersOf<M>::copies > 1) ParametersOf<M>::copy(message) = copy;
       require(settings_->template read<M>(copy) == message);
@@ -135,8 +122,8 @@ class Player {
   }
   void write_file() {
     FileSystem files(memory_);
-    const std::uint16_t file = byte() % 40, size = number(), page = byte();
-    const auto data = bytes(byte() % 250);
+    const std::uint16_t file = input_.byte() % 40, size = number(), page = input_.byte();
+    const auto data = input_.bytes(input_.byte() % 250);
     const Memory before = memory_;
     const msg::FileError error = files.write(file, size, page, data);
     if (error != msg::FileError::no_error) {
@@ -157,7 +144,7 @@ class Player {
             settings_->of<sbgc::msg::ReadParams3>());
   }
   void reset() {
-    const std::uint8_t what = byte();
+    const std::uint8_t what = input_.byte();
     if (what < ParametersOf<sbgc::msg::ReadParams3>::copies) return settings_->use_defaults(what);
     if (what % 2 == 0) return settings_->erase();
     FileSystem files(memory_);
@@ -182,7 +169,7 @@ class Player {
     }
   }
 
-  std::span<const std::uint8_t> input_;
+  sbgc::fuzz::Input input_;
   Memory memory_{};
   Eeprom eeprom_{memory_};
   std::unique_ptr<Parameters> settings_ = std::make_unique<Parameters>(memory_);

@@ -6,13 +6,6 @@
 // each three of which are an offset (2 bytes) and a new byte. This way, mutations reach the
 // verification of the checksum. The time is in proportion to the size.
 
-#include <array>
-#include <chrono>
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <string>
-
 #include "device/parameters/parameters.hpp"
 #include "device/storage/file_system.hpp"
 #include "hostile_text.hpp"

@@ -13,16 +13,8 @@
 // `sbgc decode` finds the same frames, gaps and notes for every chunk size. A file that is no
 // capture is read as raw bytes, and as hex text.
 
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
 #include <system_error>
 #include <variant>
-#include <vector>
 
 #include <asio/io_context.hpp>
 #include <fmt/format.h>

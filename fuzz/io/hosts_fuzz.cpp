@@ -6,21 +6,11 @@
 // HTTP requests have no effect; no host sends more than there is room for; and no place is given to
 // two hosts.
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
-#include <optional>
 #include <set>
-#include <span>
-#include <string>
-#include <string_view>
 #include <system_error>
-#include <utility>
-#include <vector>
 
 #include <asio/io_context.hpp>
 

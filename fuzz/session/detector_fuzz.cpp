@@ -2,12 +2,6 @@
 // of bytes received before the next request, and these bytes. 0xFE is a valid response instead;
 // 0xFF also makes the port refuse the next settings.
 
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <cstdlib>
-#include <span>
-
 #include <sbgc/detector.hpp>
 
 #include "input.hpp"

@@ -4,13 +4,8 @@
 // Invariants: each request ends exactly once, events refer to open requests, one call of poll()
 // writes at most one complete frame, and poll() always makes progress.
 
-#include <array>
-#include <cstddef>
-#include <cstdint>
 #include <set>
-#include <span>
 #include <type_traits>
-#include <vector>
 
 #include <sbgc/responses/all.hpp>
 #include <sbgc/session.hpp>
@@ -60,24 +55,10 @@ class Player {
   };
   Sink sink() { return {this}; }
 
-  std::uint8_t byte() {
-    if (input_.empty()) return 0;
-    const std::uint8_t result = input_.front();
-    input_ = input_.subspan(1);
-    return result;
-  }
-
-  std::span<const std::uint8_t> bytes(std::size_t count) {
-    const std::size_t size = count < input_.size() ? count : input_.size();
-    const auto result = input_.first(size);
-    input_ = input_.subspan(size);
-    return result;
-  }
-
   sbgc::SessionOptions options() {
     constexpr std::array<std::uint32_t, 4> rates{0, 9600, 115200, 1};
     sbgc::SessionOptions result;
-    const std::uint8_t choice = byte();
+    const std::uint8_t choice = input_.byte();
     result.line = {rates[choice & 3], (choice & 4) != 0 ? sbgc::Parity::even : sbgc::Parity::none};
     if ((choice & 8) != 0) result.pacing = {{}, {}};
     if ((choice & 16) != 0) result.duplicate_window = sbgc::milliseconds(50);
@@ -88,26 +69,26 @@ class Player {
   }
 
   void step() {
-    const std::uint8_t code = byte();
+    const std::uint8_t code = input_.byte();
     switch (code % 12) {
       case 0:
-      case 1: send(byte()); break;
-      case 2: session_.feed(bytes(byte()), now_, sink()); break;
+      case 1: send(input_.byte()); break;
+      case 2: session_.feed(input_.bytes(input_.byte()), now_, sink()); break;
       case 3: {  // any frame
-        const std::uint8_t id = byte();
-        feed_frame(id, bytes(byte()));
+        const std::uint8_t id = input_.byte();
+        feed_frame(id, input_.bytes(input_.byte()));
         break;
       }
       case 4:
       case 5: answer(code >= 128); break;
-      case 6: feed_frame(67, std::array{byte()}); break;
+      case 6: feed_frame(67, std::array{input_.byte()}); break;
       case 7: {  // errors and restarts
-        const std::array<std::uint8_t, 6> body{byte()};
+        const std::array<std::uint8_t, 6> body{input_.byte()};
         feed_frame(code < 128 ? 255 : 114, std::span(body).first(code & 1 ? 5 : 6));
         break;
       }
-      case 8: now_ = now_ + sbgc::microseconds(std::int64_t{1} << (byte() % 40)); break;
-      case 9: now_ = now_ - sbgc::milliseconds(byte()); break;
+      case 8: now_ = now_ + sbgc::microseconds(std::int64_t{1} << (input_.byte() % 40)); break;
+      case 9: now_ = now_ - sbgc::milliseconds(input_.byte()); break;
       case 10: now_ = poll(); break;
       default: cancel_something(code); break;
     }
@@ -129,14 +110,14 @@ class Player {
 
   /// Sends any request of the protocol with a body from the input.
   void send(std::uint8_t id) {
-    const std::uint8_t flags = byte();
+    const std::uint8_t flags = input_.byte();
     sbgc::SendOptions options;
     options.expect_confirmation = (flags & 1) != 0;
     options.ignore_budget = (flags & 2) != 0;
     options.attempts = (flags >> 2) & 3;
     if ((flags & 16) != 0) options.timeout = sbgc::milliseconds(20);
-    if ((flags & 32) != 0) options.deadline = now_ + sbgc::milliseconds(byte());
-    const auto body = bytes(byte());
+    if ((flags & 32) != 0) options.deadline = now_ + sbgc::milliseconds(input_.byte());
+    const auto body = input_.bytes(input_.byte());
     sbgc::visit(id, body, sbgc::Direction::to_board, [&](const auto& message) {
       if constexpr (requires { response_policy(message); }) {
         const sbgc::ResponsePolicy policy = response_policy(message);
@@ -217,7 +198,7 @@ class Player {
 
   static constexpr bool has_statistics = std::is_same_v<Session, ::Session>;
 
-  std::span<const std::uint8_t> input_;
+  sbgc::fuzz::Input input_;
   bool sink_calls_back_{};  // the sink sends and cancels requests
   int lively_left_ = 50;
   Session session_;

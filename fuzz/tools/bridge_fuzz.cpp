@@ -5,16 +5,8 @@
 // complete frames, and only the responses to its own requests; the queues are limited; and when the
 // other hosts have left, a host is served. Hosts that must leave are not busy.
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
 #include <deque>
 #include <map>
-#include <optional>
-#include <span>
-#include <utility>
-#include <vector>
 
 #include <sbgc/messages.hpp>
 #include <sbgc/parser.hpp>

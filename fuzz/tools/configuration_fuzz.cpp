@@ -2,12 +2,6 @@
 // gateway (fleets). A text is a list of gimbals with names and ports, or an error with its place,
 // in time proportional to its size.
 
-#include <algorithm>
-#include <chrono>
-#include <cstddef>
-#include <cstdint>
-#include <cstdlib>
-#include <string>
 #include <string_view>
 
 #include "board/configuration.hpp"

@@ -3,10 +3,6 @@
 // Invariants: every refusal has a sentence as its reason; a result is only sent below the reply
 // topic; an accepted order has only permitted effects.
 
-#include <cstddef>
-#include <cstdint>
-#include <string>
-#include <string_view>
 #include <variant>
 
 #include "gateway/orders.hpp"

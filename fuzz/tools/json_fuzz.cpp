@@ -4,15 +4,7 @@
 // fields if parse_json() and from_dom() do, and reads the same message. It survives the round trip
 // through JSON and bytes. encode_line() returns a frame or throws an error with a message.
 
-#include <algorithm>
-#include <chrono>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
 #include <stdexcept>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include <sbgc/dispatch.hpp>
 #include <sbgc/json.hpp>

@@ -2,13 +2,6 @@
 // is refused with a message, or changes only the fields that it is said to hold; in time in
 // proportion to its size.
 
-#include <algorithm>
-#include <chrono>
-#include <cstddef>
-#include <cstdint>
-#include <string>
-#include <utility>
-
 #include <sbgc/client/parameters.hpp>
 
 #include "hostile_text.hpp"

@@ -8,21 +8,11 @@
 // the messages of a host with a good request arrive complete and in order; every connection that
 // has ended its input is closed; and another host is served meanwhile.
 
-#include <algorithm>
-#include <array>
 #include <cerrno>
 #include <chrono>
 #include <condition_variable>
-#include <cstddef>
-#include <cstdint>
-#include <cstdlib>
 #include <map>
 #include <mutex>
-#include <span>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
 
 #include <arpa/inet.h>
 #include <netinet/in.h>
