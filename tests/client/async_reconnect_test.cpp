@@ -3,16 +3,12 @@
 
 #include <asio/bind_cancellation_slot.hpp>
 #include <asio/cancellation_signal.hpp>
-#include <asio/executor_work_guard.hpp>
-#include <asio/io_context.hpp>
-#include <asio/post.hpp>
 #include <asio/use_future.hpp>
 
 #include <sbgc/client/async_client.hpp>
 #include <sbgc/client/async_reconnecting_client.hpp>
 #include <sbgc/client/motion.hpp>
 #include <sbgc/client/speed_control.hpp>
-#include <sbgc/io/memory.hpp>
 
 #include "testing.hpp"
 

@@ -2,17 +2,11 @@
 
 #include "tasks/bounded_turn.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <memory>
-#include <span>
-#include <utility>
 
 #include <sbgc/client/motion.hpp>
 #include <sbgc/client/speed_control.hpp>
 
-#include "tasks/hold_speed.hpp"
 #include "testing.hpp"
 #include "virtual_client.hpp"
 

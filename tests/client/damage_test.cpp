@@ -10,7 +10,6 @@
 #include <sbgc/io/line.hpp>
 
 #include "task_test.hpp"
-#include "testing.hpp"
 
 namespace sbgc::test {
 namespace {

@@ -2,8 +2,6 @@
 // a call; and of cancellations, which are not lost, whatever comes with them.
 
 #include <asio/error.hpp>
-#include <asio/io_context.hpp>
-#include <asio/post.hpp>
 #include <asio/strand.hpp>
 
 #include <sbgc/client/backup.hpp>

@@ -1,8 +1,6 @@
 #include "emulated_board.hpp"
 
 #include <sbgc/emulator/uart.hpp>
-#include <sbgc/io/memory.hpp>
-#include <sbgc/parser.hpp>
 
 namespace sbgc::test {
 

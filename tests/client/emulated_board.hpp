@@ -1,27 +1,19 @@
 /// The emulated board for tests of clients: on a line of the chosen kind, with direct access.
 #pragma once
 
-#include <array>
 #include <chrono>
-#include <cstdint>
 #include <future>
-#include <memory>
-#include <span>
 #include <stdexcept>
-#include <string>
 #include <thread>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 #include <asio/executor_work_guard.hpp>
 #include <asio/io_context.hpp>
 #include <asio/post.hpp>
 
-#include <sbgc/client/own_transport.hpp>
 #include <sbgc/emulator/emulator.hpp>
 #include <sbgc/io/memory.hpp>
-#include <sbgc/message.hpp>
 #include <sbgc/messages.hpp>
 #include <sbgc/parameters.hpp>
 #include <sbgc/type_list.hpp>

@@ -1,15 +1,10 @@
 // Tests the examples as a user runs them: over a serial port, here a pseudo-terminal.
 
-#include <array>
 #include <cstdio>
-#include <string>
 
 #include <sys/wait.h>
 
-#include <sbgc/io/pseudo_terminal.hpp>
-
 #include "task_test.hpp"
-#include "testing.hpp"
 
 namespace sbgc::test {
 namespace {

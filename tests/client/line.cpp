@@ -1,14 +1,8 @@
 
-#include "line.hpp"
 
-#include <algorithm>
 #include <cstdlib>
-#include <stdexcept>
-#include <utility>
 
 #include <asio/error.hpp>
-#include <asio/ip/tcp.hpp>
-#include <asio/post.hpp>
 
 #include <sbgc/io/open.hpp>
 

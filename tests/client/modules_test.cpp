@@ -1,7 +1,6 @@
 // Tests of loading firmware into modules, in virtual time.
 
 #include <sbgc/client/modules.hpp>
-#include <sbgc/parser.hpp>
 
 #include "testing.hpp"
 #include "virtual_client.hpp"

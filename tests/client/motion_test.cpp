@@ -1,5 +1,4 @@
 #include <cmath>
-#include <stdexcept>
 
 #include <sbgc/client/motion.hpp>
 

@@ -384,8 +384,7 @@ TEST_F(Reconnecting, ClosingEndsCallsThatWait) {
   });
   const auto call = client.call(msg::GetAnglesRequest{}, {.timeout = std::chrono::hours(1)});
   closing.join();
-  ASSERT_FALSE(call);
-  EXPECT_EQ(call.error().code, ErrorCode::not_connected);
+  EXPECT_THAT(call, fails(ErrorCode::not_connected));
   EXPECT_TRUE(wait_for(LinkState::closed));
 }
 

@@ -2,22 +2,15 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
-#include <cstdint>
-#include <functional>
 #include <map>
-#include <memory>
 #include <mutex>
-#include <span>
 #include <stdexcept>
-#include <string>
 #include <thread>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 #include <asio/buffer.hpp>
 #include <asio/executor_work_guard.hpp>
@@ -28,13 +21,9 @@
 #include <asio/steady_timer.hpp>
 #include <asio/write.hpp>
 
-#include <sbgc/client/own_transport.hpp>
 #include <sbgc/io/memory.hpp>
 #include <sbgc/io/pseudo_terminal.hpp>
-#include <sbgc/io/transport.hpp>
-#include <sbgc/message.hpp>
 #include <sbgc/messages.hpp>
-#include <sbgc/parser.hpp>
 #include <sbgc/visit.hpp>
 
 #include "line.hpp"

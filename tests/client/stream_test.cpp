@@ -1,7 +1,6 @@
 // Tests of data streams from an emulated board, over every kind of line.
 
 #include <sbgc/any.hpp>
-#include <sbgc/frame.hpp>
 
 #include "testing.hpp"
 

@@ -1,37 +1,18 @@
 /// Helpers for the tests of the client: names, results, waiting, and clients of a board.
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <atomic>
-#include <chrono>
-#include <condition_variable>
 #include <cstddef>
-#include <cstdint>
-#include <filesystem>
 #include <fstream>
-#include <functional>
-#include <future>
 #include <limits>
-#include <memory>
-#include <mutex>
-#include <optional>
 #include <random>
 #include <set>
-#include <span>
 #include <sstream>
-#include <stdexcept>
-#include <string>
-#include <thread>
-#include <utility>
-#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <sbgc/client/client.hpp>
 #include <sbgc/client/clock.hpp>
-#include <sbgc/messages.hpp>
 
 #include "emulated_board.hpp"
 #include "scripted_board.hpp"

@@ -3,10 +3,7 @@
 #include <sbgc/client/backup.hpp>
 #include <sbgc/client/calibration.hpp>
 #include <sbgc/client/motion.hpp>
-#include <sbgc/client/passive_client.hpp>
-#include <sbgc/emulator/emulator.hpp>
 
-#include "tasks/hold_speed.hpp"
 #include "testing.hpp"
 #include "virtual_client.hpp"
 

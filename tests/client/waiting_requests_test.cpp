@@ -1,13 +1,6 @@
 // Tests of requests before they are sent: those whose types are not known to the program, and the
 // calls that wait for the session.
 
-#include <cstdint>
-#include <memory>
-#include <vector>
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <sbgc/any.hpp>
 #include <sbgc/client/raw_request.hpp>
 #include <sbgc/responses/all.hpp>
