@@ -90,19 +90,18 @@ msg::DataStreamInterval custom_stream(std::uint16_t interval, msg::RealtimeDataC
   return request;
 }
 
-/// A frame with a body of zeros.
-Bytes sample_of(msg::CommandFromBoard what, std::size_t size) {
+Bytes frame_with(std::uint8_t id, const Bytes& body) {
   Bytes bytes(max_frame_size);
-  const Bytes body(size);
-  bytes.resize(write_frame(basic_framing, static_cast<std::uint8_t>(what), body, bytes).size);
+  bytes.resize(write_frame(basic_framing, id, body, bytes).size);
   return bytes;
 }
 
-msg::Confirm confirmation_of(msg::CommandToBoard command) {
-  msg::Confirm confirmation;
-  confirmation.cmd = command;
-  return confirmation;
+/// A frame with a body of zeros.
+Bytes sample_of(msg::CommandFromBoard what, std::size_t size) {
+  return frame_with(static_cast<std::uint8_t>(what), Bytes(size));
 }
+
+msg::Confirm confirmation_of(msg::CommandToBoard command) { return {.cmd = command}; }
 
 msg::ErrorExt error_of(msg::CommandToBoard command, msg::BoardErrorCode code = {}) {
   msg::ErrorExt error;
@@ -230,9 +229,7 @@ TEST_F(Bridge, LaterMotionOfAnotherHostEndsAStop) {
 }
 
 TEST_F(OneHost, UnknownRequestsPassToo) {
-  Bytes bytes(max_frame_size);
-  const Bytes body{1, 2, 3};
-  bytes.resize(write_frame(basic_framing, 249, body, bytes).size);
+  const Bytes bytes = frame_with(249, {1, 2, 3});
   ports.receive(host, bytes);
   ASSERT_THAT(line.sent, SizeIs(1));
   EXPECT_EQ(line.sent[0].request.id, 249);
@@ -243,9 +240,7 @@ TEST_F(OneHost, UnknownRequestsPassToo) {
 }
 
 TEST_F(TwoHosts, UnknownMessagesGoToAllHosts) {
-  Bytes bytes(max_frame_size);
-  const Bytes body{0x0e, 0x45};
-  bytes.resize(write_frame(basic_framing, 200, body, bytes).size);
+  const Bytes bytes = frame_with(200, {0x0e, 0x45});
   ports.arrived({.frame = frame_at(bytes.data())});
   EXPECT_EQ(read(first), bytes);
   EXPECT_EQ(read(second), bytes);
@@ -277,31 +272,27 @@ TEST_F(TwoHosts, ALateAnswerGoesToTheOneWhoAsked) {
   EXPECT_THAT(read(second), IsEmpty());
 }
 
-TEST_F(Bridge, ALateAnswerOfAWrongSizeGoesToTheOneWhoAsked) {
-  const std::size_t asking = join();
-  const std::size_t other = join();
-  ask(asking, msg::GetAnglesRequest{});
+TEST_F(TwoHosts, ALateAnswerOfAWrongSizeGoesToTheOneWhoAsked) {
+  ask(first, msg::GetAnglesRequest{});
   ports.ended(line.sent[0].tag, ErrorCode::timeout);
   const Bytes broken = sample_of(msg::GetAngles::command, 5);
   time = time + milliseconds(400);
   ports.arrived({.frame = frame_at(broken.data())});
-  EXPECT_EQ(read(asking), broken);
-  EXPECT_THAT(read(other), IsEmpty());
+  EXPECT_EQ(read(first), broken);
+  EXPECT_THAT(read(second), IsEmpty());
 }
 
-TEST_F(Bridge, AnAnswerIsNobodysAfterAMinute) {
-  const std::size_t asking = join();
-  const std::size_t other = join();
-  ask(asking, msg::GetAnglesRequest{});
+TEST_F(TwoHosts, AnAnswerIsNobodysAfterAMinute) {
+  ask(first, msg::GetAnglesRequest{});
   answer(line.sent[0], msg::GetAngles{});
-  read(asking);
+  read(first);
   time = time + seconds(59);
   send(msg::GetAngles{});
-  EXPECT_EQ(read(asking), frame_of(msg::GetAngles{}));
-  EXPECT_THAT(read(other), IsEmpty());
+  EXPECT_EQ(read(first), frame_of(msg::GetAngles{}));
+  EXPECT_THAT(read(second), IsEmpty());
   time = time + seconds(2);
   send(msg::GetAngles{});
-  EXPECT_EQ(read(other), frame_of(msg::GetAngles{}));
+  EXPECT_EQ(read(second), frame_of(msg::GetAngles{}));
 }
 
 TEST_F(OneHost, WhatAHostHasAskedForOnceDoesNotFillTheMemory) {
@@ -409,17 +400,15 @@ TEST_F(TwoHosts, TheBoardGetsTheShortestInterval) {
   EXPECT_THAT(intervals(), ElementsAre(100, 20, 20, 50, 0));
 }
 
-TEST_F(Bridge, ARequestWithSurplusIsARequestForAStream) {
-  const std::size_t slow = join();
-  const std::size_t fast = join();
+TEST_F(TwoHosts, ARequestWithSurplusIsARequestForAStream) {
   WithSurplus<msg::DataStreamInterval> request{stream(100)};
   ASSERT_TRUE(request.tail.push_back(7));
-  ask(slow, request);
+  ask(first, request);
   EXPECT_THAT(line.sent.back().request.body, SizeIs(msg::DataStreamInterval::max_size + 1));
-  ask(fast, stream(20));
-  ask(slow, request);
+  ask(second, stream(20));
+  ask(first, request);
   EXPECT_THAT(intervals(), ElementsAre(100, 20, 20));
-  ports.disconnect(fast);
+  ports.disconnect(second);
   EXPECT_THAT(intervals(), ElementsAre(100, 20, 20, 100));
 }
 
@@ -445,19 +434,15 @@ TEST_F(Bridge, EachHostGetsItsOwnRate) {
   EXPECT_THAT(read(other), IsEmpty());
 }
 
-TEST_F(Bridge, AnIntervalOfOneIsEveryCycle) {
-  const std::size_t fast = join();
-  const std::size_t slow = join();
-  ask(fast, stream(1));
-  ask(slow, stream(20));
+TEST_F(TwoHosts, AnIntervalOfOneIsEveryCycle) {
+  ask(first, stream(1));
+  ask(second, stream(20));
   for (int i = 0; i < 1250; ++i) send(msg::RealtimeData3{});  // in a second
-  EXPECT_EQ(read(slow).size(), 50 * frame_of(msg::RealtimeData3{}).size());
+  EXPECT_EQ(read(second).size(), 50 * frame_of(msg::RealtimeData3{}).size());
 }
 
-TEST_F(Bridge, AStreamHasOneConfigurationAtATime) {
+TEST_F(TwoHosts, AStreamHasOneConfigurationAtATime) {
   using Flag = msg::RealtimeDataCustomFlag;
-  const std::size_t first = join();
-  const std::size_t second = join();
   ask(first, custom_stream(20, Flag::imu_angles));
   ask(second, custom_stream(20, Flag::target_angles));
   EXPECT_THAT(line.sent, SizeIs(1));
@@ -549,9 +534,8 @@ TEST_F(OneHost, AStreamForWhichTheLineHasNoRoomIsRefused) {
   EXPECT_THAT(line.sent, SizeIs(1)) << "it is not running";
 }
 
-TEST_F(Bridge, AConfigurationThatTheBoardRefusesIsNotRunning) {
+TEST_F(OneHost, AConfigurationThatTheBoardRefusesIsNotRunning) {
   using Flag = msg::RealtimeDataCustomFlag;
-  const std::size_t host = join();
   ask(host, custom_stream(20, Flag::imu_angles));
   const msg::ErrorExt error =
       error_of(msg::DataStreamInterval::command, msg::BoardErrorCode::wrong_params);
@@ -570,34 +554,30 @@ TEST_F(TwoHosts, StreamsAreStartedAgain) {
   EXPECT_THAT(intervals(), testing::UnorderedElementsAre(20, 30));
 }
 
-TEST_F(Bridge, AnAnswerThatMayBeASampleIsBoth) {
-  const std::size_t asking = join();
-  const std::size_t listening = join();
-  ask(listening, stream(20));
-  ask(asking, msg::RealtimeData3Request{});
+TEST_F(TwoHosts, AnAnswerThatMayBeASampleIsBoth) {
+  ask(second, stream(20));
+  ask(first, msg::RealtimeData3Request{});
   const Sent& sent = line.sent.back();
   const Bytes bytes = frame_of(msg::RealtimeData3{});
   ports.answered(sent.tag, frame_at(bytes.data()));
   ports.arrived({.frame = frame_at(bytes.data()), .belongs_to_call = true, .sample = Sample::yes});
   ports.ended(sent.tag);
-  EXPECT_EQ(read(asking), bytes);
-  EXPECT_EQ(read(listening), bytes);
+  EXPECT_EQ(read(first), bytes);
+  EXPECT_EQ(read(second), bytes);
 }
 
-TEST_F(Bridge, WhatIsNoSampleIsNotForThoseWhoStream) {
-  const std::size_t asking = join();
-  const std::size_t listening = join();
-  ask(listening, stream(20));
-  ask(asking, msg::RealtimeData3Request{});
+TEST_F(TwoHosts, WhatIsNoSampleIsNotForThoseWhoStream) {
+  ask(second, stream(20));
+  ask(first, msg::RealtimeData3Request{});
   const Bytes bytes = frame_of(msg::RealtimeData3{});
   ports.arrived({.frame = frame_at(bytes.data()), .sample = Sample::doubtful});
-  EXPECT_THAT(read(asking), IsEmpty());
+  EXPECT_THAT(read(first), IsEmpty());
   ports.arrived({.frame = frame_at(bytes.data()), .is_late = true, .sample = Sample::no});
-  EXPECT_EQ(read(asking), bytes);
-  EXPECT_THAT(read(listening), IsEmpty());
+  EXPECT_EQ(read(first), bytes);
+  EXPECT_THAT(read(second), IsEmpty());
   ports.arrived({.frame = frame_at(bytes.data()), .sample = Sample::yes});
-  EXPECT_EQ(read(listening), bytes);
-  EXPECT_THAT(read(asking), IsEmpty());
+  EXPECT_EQ(read(second), bytes);
+  EXPECT_THAT(read(first), IsEmpty());
 }
 
 TEST_F(OneHost, ARequestForWhichTheStreamLeavesNoTimeIsRefused) {
@@ -609,24 +589,22 @@ TEST_F(OneHost, ARequestForWhichTheStreamLeavesNoTimeIsRefused) {
   EXPECT_THAT(logged, ElementsAre(testing::HasSubstr("leaves no time")));
 }
 
-TEST_F(Bridge, AHostThatDoesNotReadDisturbsNoOther) {
-  const std::size_t deaf = join();
-  const std::size_t other = join();
-  ask(deaf, stream(20));
-  ask(other, stream(20));
+TEST_F(TwoHosts, AHostThatDoesNotReadDisturbsNoOther) {
+  ask(first, stream(20));
+  ask(second, stream(20));
   const std::size_t size = frame_of(msg::RealtimeData3{}).size();
   for (int i = 0; i < 5000; ++i) {
     send(msg::RealtimeData3{});
-    EXPECT_EQ(read(other).size(), size);
+    EXPECT_EQ(read(second).size(), size);
   }
-  EXPECT_LE(ports.output(deaf).size(), BridgePorts::max_output);
+  EXPECT_LE(ports.output(first).size(), BridgePorts::max_output);
   EXPECT_GT(ports.counters()[0].dropped, 4000U);
   EXPECT_EQ(ports.counters()[1].dropped, 0U);
   // It can still ask, and gets its answer.
-  ask(deaf, msg::GetAnglesRequest{});
-  const std::size_t before = ports.output(deaf).size();
+  ask(first, msg::GetAnglesRequest{});
+  const std::size_t before = ports.output(first).size();
   answer(line.sent.back(), msg::GetAngles{});
-  EXPECT_EQ(ports.output(deaf).size(), before + frame_of(msg::GetAngles{}).size());
+  EXPECT_EQ(ports.output(first).size(), before + frame_of(msg::GetAngles{}).size());
 }
 
 TEST_F(OneHost, AHostThatAsksAndDoesNotReadIsNotReadAnyMore) {
