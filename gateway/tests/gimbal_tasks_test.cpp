@@ -2,23 +2,9 @@
 
 #include "gateway/gimbal_tasks.hpp"
 
-#include <algorithm>
-#include <atomic>
-#include <chrono>
 #include <cmath>
-#include <future>
-#include <memory>
-#include <optional>
-#include <string>
-#include <thread>
-#include <utility>
-#include <vector>
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <sbgc/literals.hpp>
-#include <sbgc/messages.hpp>
 #include <sbgc/meta/control.hpp>
 
 #include "testing.hpp"

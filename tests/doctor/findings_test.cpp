@@ -1,17 +1,8 @@
 // Tests of sbgc::doctor on emulated boards in virtual time: a healthy board has no finding, and
 // each fault has one.
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <functional>
 #include <numbers>
-#include <set>
-#include <string>
-#include <vector>
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <sbgc/doctor/findings.hpp>
 #include <sbgc/doctor/frequency_text.hpp>

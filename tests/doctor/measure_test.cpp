@@ -2,11 +2,8 @@
 // their vibration.
 
 #include <cmath>
-#include <memory>
 #include <numbers>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

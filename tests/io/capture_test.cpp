@@ -1,16 +1,12 @@
 // Tests of capture files: the format byte by byte, and the recovery of files that are truncated or
 // damaged at any position.
 
-#include <csignal>
 #include <random>
 
-#include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/time.h>
-#include <unistd.h>
 
 #include <sbgc/internal/crc32.hpp>
-#include <sbgc/io/capture.hpp>
 #include <sbgc/wire.hpp>
 
 #include "capture_support.hpp"

@@ -232,9 +232,7 @@ DetectorStep request_at(Detector& detector, std::uint32_t baud_rate, Instant& no
 }
 
 TEST(Detector, WaitsAsLongAsTheLineNeeds) {
-  DetectorOptions options;
-  options.response_timeout = Duration{};
-  Detector detector(options);
+  Detector detector({.response_timeout = Duration{}});
   Instant now = start_time;
   request_at(detector, 9600, now);
   // 5 bytes of request, 23 of response, 10 bits each.

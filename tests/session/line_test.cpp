@@ -118,9 +118,7 @@ TEST_F(Pacing, IsKeptAfterAResponseToAResentFrame) {
 }
 
 TEST(PacingRules, CanLastLongerThanTheResponse) {
-  SessionOptions options;
-  options.pacing.until_response = false;
-  Simulation line(options);
+  Simulation line({.pacing = {.until_response = false}});
   line.board = [&](const Written& frame) { line.say(frame.id, body_of(18), milliseconds(2)); };
   line.send(msg::GetAnglesRequest{});
   line.send(msg::GetAnglesRequest{});
@@ -196,11 +194,7 @@ msg::DataStreamInterval custom_stream(msg::RealtimeDataCustomFlags flags, std::u
   return request;
 }
 
-SessionOptions at(std::uint32_t baud_rate) {
-  SessionOptions options;
-  options.line = {baud_rate, Parity::none};
-  return options;
-}
+SessionOptions at(std::uint32_t baud_rate) { return {.line = {baud_rate, Parity::none}}; }
 
 TEST(Streams, TakeTheirShareOfTheLineOnceTheyAreConfirmed) {
   Simulation line(at(115200));

@@ -3,8 +3,6 @@
 
 #include <limits>
 
-#include <gtest/gtest.h>
-
 #include <sbgc/session/late_replies.hpp>
 #include <sbgc/session/streams.hpp>
 #include <sbgc/time.hpp>
