@@ -1,10 +1,6 @@
 /// Answers of the emulated board as the model says.
 #pragma once
 
-#include <cstdint>
-#include <span>
-
-#include <sbgc/any.hpp>
 #include <sbgc/response_policy.hpp>
 
 #include "host.hpp"

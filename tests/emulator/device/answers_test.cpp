@@ -5,14 +5,9 @@
 
 #include "answers.hpp"
 
-#include <algorithm>
-#include <array>
 #include <fstream>
-#include <set>
-#include <string>
 #include <type_traits>
 
-#include <sbgc/any.hpp>
 #include <sbgc/client/request.hpp>
 #include <sbgc/dispatch.hpp>
 #include <sbgc/message_infos.hpp>
@@ -24,7 +19,6 @@
 
 #include "device/default_response.hpp"
 #include "device/device.hpp"
-#include "host.hpp"
 
 namespace sbgc::test {
 namespace {

@@ -1,10 +1,6 @@
 // Tests of the complete board: its behavior depends only on the bytes and their times. Restarts:
 // their duration, what is lost, and the statistics of the board's whole life, which are kept.
 
-#include <algorithm>
-#include <cstdint>
-#include <vector>
-
 #include "host.hpp"
 #include "random_input.hpp"
 
@@ -185,17 +181,6 @@ TEST(Board, TellsOfTraffic) {
   EXPECT_EQ(host.board.counters().unknown, 2U);
   EXPECT_EQ(host.board.counters().refused, 1U);
   EXPECT_EQ(host.board.counters().sent, 4U);
-}
-
-TEST(Board, IntroducesItselfWhateverTheSizeOfTheRequest) {
-  Host host;
-  const auto introduction = host.get<msg::BoardInfo>(msg::BoardInfoRequest{});
-  for (std::size_t size = 1; size <= 255; ++size) {
-    host.send_bytes(frame_of(86, Bytes(size)));
-    const Packets packets = host.listen(milliseconds(50));
-    ASSERT_EQ(packets.size(), 1U) << size;
-    EXPECT_EQ(message<msg::BoardInfo>(packets[0]), introduction) << size;
-  }
 }
 
 TEST(Board, ExecutesNothingBeforeItsPassword) {

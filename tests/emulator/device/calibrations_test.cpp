@@ -1,14 +1,9 @@
 // Tests of calibrations, automatic tuning and recording of a frequency response: their progress,
 // their results, and what the memory keeps.
 
-#include <algorithm>
-#include <cmath>
 #include <complex>
-#include <cstddef>
-#include <cstdint>
 #include <cstdlib>
 #include <numbers>
-#include <vector>
 
 #include "device/calibration/frequency_response.hpp"
 #include "host.hpp"
@@ -93,9 +88,7 @@ TEST(AutoTuning, TheSameSeedFindsTheSame) {
     host->listen(seconds(30));
   }
   EXPECT_EQ(parameters(one, 0), parameters(two, 0));
-  emulator::BoardOptions other;
-  other.gimbal.seed = 77;
-  Host three(other);
+  Host three({.gimbal = {.seed = 77}});
   three.ask(tune(msg::AutoPidFlag::pitch));
   three.listen(seconds(30));
   EXPECT_NE(parameters(one, 0), parameters(three, 0));

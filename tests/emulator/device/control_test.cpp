@@ -1,6 +1,5 @@
 // Tests of helper data for the control of axes, and of packed quaternions.
 
-#include <cmath>
 #include <optional>
 
 #include "device/control/quaternion_control.hpp"

@@ -2,9 +2,7 @@
 // that folder describes their rows: a request, or what happens to the board, and what is the
 // answer.
 
-#include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -13,18 +11,12 @@
 #include <memory>
 #include <sstream>
 #include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
 
-#include <sbgc/any.hpp>
 #include <sbgc/json/hex.hpp>
-#include <sbgc/meta/all.hpp>
 #include <sbgc/text.hpp>
 #include <sbgc/value_text.hpp>
 
 #include "answers.hpp"
-#include "host.hpp"
 #include "random_input.hpp"
 
 namespace sbgc::test {

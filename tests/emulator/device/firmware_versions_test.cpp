@@ -2,13 +2,6 @@
 // firmware has, treats all others as unknown, and sends nothing that the firmware does not have.
 // Outputs and variables of later firmware.
 
-#include <array>
-#include <cstdint>
-#include <set>
-#include <span>
-#include <string>
-
-#include <sbgc/any.hpp>
 #include <sbgc/availability.hpp>
 #include <sbgc/client/request.hpp>
 #include <sbgc/message_infos.hpp>

@@ -1,15 +1,6 @@
 // Tests of live data: units, limits and sources; the blocks of CMD_REALTIME_DATA_CUSTOM in later
 // firmware; debug variables and their announcement; data streams: rates, limits and their end.
 
-#include <cmath>
-#include <cstdint>
-#include <set>
-#include <span>
-#include <string>
-#include <vector>
-
-#include <gtest/gtest.h>
-
 #include <sbgc/meta/enums.hpp>
 #include <sbgc/roles.hpp>
 
@@ -20,11 +11,7 @@
 namespace sbgc::test {
 namespace {
 
-emulator::BoardOptions still() {
-  emulator::BoardOptions options;
-  options.gimbal.noise = 0;
-  return options;
-}
+emulator::BoardOptions still() { return {.gimbal = {.noise = 0}}; }
 
 /// Returns a board with motors off, so that the camera remains where it is placed.
 Host placed(const Axes<double>& angles) {

@@ -47,22 +47,6 @@ ByteVector numbered(std::size_t size, unsigned start = 1) {
   return result;
 }
 
-TEST(Eeprom, NewMemoryIsErased) {
-  Memory memory;
-  const Eeprom eeprom(memory);
-  EXPECT_EQ(eeprom.read_pages(0, eeprom.size()), ByteVector(Memory::eeprom_size, 0xFF));
-}
-
-TEST(Eeprom, GivesBackWhatWasWrittenAndLeavesTheRest) {
-  Memory memory;
-  Eeprom eeprom(memory);
-  const ByteVector bytes = numbered(3 * page);
-  ASSERT_TRUE(eeprom.write_pages(5 * page, bytes));
-  EXPECT_EQ(eeprom.read_pages(5 * page, bytes.size()), bytes);
-  EXPECT_EQ(eeprom.read_pages(4 * page, page), ByteVector(page, 0xFF));
-  EXPECT_EQ(eeprom.read_pages(8 * page, page), ByteVector(page, 0xFF));
-}
-
 TEST(Eeprom, WritesUpToTheLastPage) {
   Memory memory;
   Eeprom eeprom(memory);

@@ -1,18 +1,6 @@
 // Tests of the board's parameters: written values are read back, per profile, also after a restart;
 // of adjustable variables and how long they last, and of their effect on the mechanics.
 
-#include "device/parameters/parameters.hpp"
-
-#include <algorithm>
-#include <array>
-#include <cstdint>
-#include <random>
-#include <set>
-#include <vector>
-
-#include <gtest/gtest.h>
-
-#include <sbgc/meta/all.hpp>
 #include <sbgc/meta/variables.hpp>
 #include <sbgc/validate.hpp>
 

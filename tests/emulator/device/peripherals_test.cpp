@@ -1,8 +1,5 @@
 // Tests of devices on the I2C bus of the board, and of the correction of gyroscopes.
 
-#include <cstdint>
-#include <vector>
-
 #include "device/peripherals/i2c_bus.hpp"
 #include "host.hpp"
 
@@ -25,9 +22,7 @@ double word(const std::vector<std::uint8_t>& bytes, std::size_t at) {
 }
 
 TEST(I2c, AnImuMeasures) {
-  emulator::BoardOptions options;
-  options.gimbal.noise = 0;
-  Host host(options);
+  Host host({.gimbal = {.noise = 0}});
   const auto level = read(host, I2cBus::main_imu, 0x3B, 14);
   EXPECT_NEAR(word(level, 4) / 2048, 1, 0.02);
   EXPECT_NEAR(word(level, 6) / 340 + 36.53, host.board.gimbal().sample(host.now).temperature, 1);

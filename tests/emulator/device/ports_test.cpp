@@ -1,8 +1,6 @@
 // Tests of the serial interfaces: the framings that a board understands, buffers, and the order of
 // requests.
 
-#include <vector>
-
 #include "host.hpp"
 #include "random_input.hpp"
 
@@ -37,9 +35,7 @@ TEST(Ports, DoNotWaitForEachOther) {
 }
 
 TEST(Ports, ARequestThatDoesNotFitIsLostWhole) {
-  emulator::BoardOptions options;
-  options.input_buffer = 3 * who.size() + 2;
-  Host host(options);
+  Host host({.input_buffer = 3 * who.size() + 2});
   host.send_bytes(times(5, who));
   EXPECT_EQ(host.board.counters().lost, 2U);
   EXPECT_THAT(host.listen(seconds(1)), SizeIs(3));

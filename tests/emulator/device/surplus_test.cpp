@@ -1,15 +1,8 @@
 // Tests of requests that are longer than the board knows: it ignores the surplus, like real boards.
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
 #include <fstream>
 #include <map>
-#include <string>
-#include <vector>
 
-#include <sbgc/any.hpp>
 #include <sbgc/json_dom.hpp>
 
 #include "host.hpp"

@@ -1,10 +1,15 @@
 /// An emulated board with one host at the other end of its line, for tests.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 #include <sbgc/emulator/emulator.hpp>
 #include <sbgc/message.hpp>

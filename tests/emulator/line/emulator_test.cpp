@@ -1,17 +1,8 @@
 // Tests of a board and its lines: rates, backpressure, restarts, and independence of the number of
 // calls; of motion of the frame and faults that begin and end while it runs.
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <vector>
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
 #include <sbgc/codec.hpp>
 #include <sbgc/messages/parameters.hpp>
-#include <sbgc/messages/realtime.hpp>
 #include <sbgc/messages/system.hpp>
 
 #include "emulator_rig.hpp"
@@ -21,9 +12,7 @@ namespace sbgc::emulator::test {
 namespace {
 
 TEST(Emulator, TheLineTakesItsTime) {
-  EmulatorOptions options;
-  options.line.board.baud_rate = 9600;
-  Bench bench(options);
+  Bench bench({.line = {.board = {.baud_rate = 9600}}});
   bench.send(frame_of(msg::BoardInfoRequest{}));
   // On the line, 5 bytes of request and 23 of response take 29 ms, regardless of the board.
   EXPECT_TRUE(bench.listen(milliseconds(6), milliseconds(1)).empty());
@@ -36,9 +25,7 @@ TEST(Emulator, TheLineTakesItsTime) {
 }
 
 TEST(Emulator, AStreamThatTheLineCarriesKeepsItsRate) {
-  EmulatorOptions options;
-  options.line.board.baud_rate = 115200;
-  Bench bench(options);
+  Bench bench({.line = {.board = {.baud_rate = 115200}}});
   bench.send(stream_of(20));
   EXPECT_NEAR(static_cast<double>(
                   frames_in(bench.listen(seconds(60)), msg::CommandFromBoard::realtime_data_4)),
@@ -46,9 +33,7 @@ TEST(Emulator, AStreamThatTheLineCarriesKeepsItsRate) {
 }
 
 TEST(Emulator, AStreamThatTheLineDoesNotCarryFillsIt) {
-  EmulatorOptions options;
-  options.line.board.baud_rate = 9600;
-  Bench bench(options);
+  Bench bench({.line = {.board = {.baud_rate = 9600}}});
   bench.send(stream_of(20));
   bench.listen(seconds(2));
   const Bytes got = bench.listen(seconds(60));
@@ -89,9 +74,7 @@ TEST(Emulator, AHostThatDoesNotListenMissesTextLines) {
 }
 
 TEST(Emulator, ToldWhenTheHostShouldWait) {
-  EmulatorOptions options;
-  options.line.board.baud_rate = 9600;
-  Bench bench(options);
+  Bench bench({.line = {.board = {.baud_rate = 9600}}});
   EXPECT_EQ(bench.emulator.room(bench.port), Emulator::input_limit);
   bench.send(Bytes(Emulator::input_limit, 0));
   EXPECT_EQ(bench.emulator.room(bench.port), 0U);
@@ -146,9 +129,7 @@ TEST(Emulator, BytesThatNeverArriveTakeTheirTime) {
 }
 
 TEST(Emulator, IsQuietWhenAllThatWasAskedHasBeenTaken) {
-  EmulatorOptions options;
-  options.line.board.baud_rate = 9600;
-  Bench bench(options);
+  Bench bench({.line = {.board = {.baud_rate = 9600}}});
   EXPECT_TRUE(bench.emulator.is_quiet(bench.port));
   Bytes got;
   bench.send(frame_of(msg::BoardInfoRequest{}));
@@ -221,9 +202,7 @@ TEST(Emulator, ARestartInTheMiddleOfAFrameEndsItForTheLine) {
 }
 
 TEST(Emulator, TheRateOfTheSettings) {
-  EmulatorOptions options;
-  options.rate_from_parameters = true;
-  Bench bench(options);
+  Bench bench({.rate_from_parameters = true});
   EXPECT_NE(bench.emulator.board().baud_rate(), 0U);
   EXPECT_EQ(bench.emulator.line().baud_rate, bench.emulator.board().baud_rate());
   bench.emulator.set_host_line(bench.port, LineSettings{9600}, bench.now);
@@ -235,9 +214,7 @@ TEST(Emulator, TheRateOfTheSettings) {
 }
 
 TEST(Emulator, ANewRateOfTheSettingsHoldsFromTheNextStartOn) {
-  EmulatorOptions options;
-  options.rate_from_parameters = true;
-  Bench bench(options);
+  Bench bench({.rate_from_parameters = true});
   const std::size_t usb = bench.emulator.connect(true, bench.now).value();
   bench.send(frame_of(msg::ReadParams3Request{}));
   msg::ReadParams3 settings;
@@ -261,9 +238,7 @@ TEST(Emulator, ANewRateOfTheSettingsHoldsFromTheNextStartOn) {
 }
 
 TEST(Emulator, ConnectionsHaveFaultsOfTheirOwn) {
-  EmulatorOptions options;
-  options.line.faults.lost = 0.5;
-  Bench bench(options);
+  Bench bench({.line = {.faults = {.lost = 0.5}}});
   const std::size_t other = bench.emulator.connect(false, bench.now).value();
   for (int i = 0; i < 100; ++i) {
     bench.send(Bytes(100, 0));
@@ -277,9 +252,7 @@ TEST(Emulator, ConnectionsHaveFaultsOfTheirOwn) {
 }
 
 TEST(Emulator, RestartsWhenItIsTold) {
-  EmulatorOptions options;
-  options.restart_at = milliseconds(1500);
-  Bench bench(options);
+  Bench bench({.restart_at = milliseconds(1500)});
   EXPECT_EQ(bench.emulator.board().counters().restarts, 0U);
   bench.listen(milliseconds(499));
   EXPECT_EQ(bench.emulator.board().counters().restarts, 0U);
@@ -290,9 +263,7 @@ TEST(Emulator, RestartsWhenItIsTold) {
 }
 
 TEST(Emulator, PortsAreIndependent) {
-  EmulatorOptions options;
-  options.board.start_time = {};
-  Emulator emulator(options, {}, Instant{});
+  Emulator emulator({.board = {.start_time = {}}}, {}, Instant{});
   std::vector<std::size_t> ports;
   while (const auto port = emulator.connect(false, Instant{})) ports.push_back(*port);
   ASSERT_EQ(ports.size(), Board::max_ports);
@@ -339,9 +310,9 @@ TEST(EmulatorChange, FaultsOfTheBoardBeginAndEnd) {
 
 TEST(EmulatorChange, TheFrameMovesAndTheCameraStays) {
   Bench bench;
-  EmulatorOptions options;
-  options.board.gimbal.frame = {.kind = Disturbance::Kind::vehicle, .strength = 3};
-  bench.emulator.change(options, bench.now);
+  bench.emulator.change(
+      {.board = {.gimbal = {.frame = {.kind = Disturbance::Kind::vehicle, .strength = 3}}}},
+      bench.now);
   const auto largest = [&](auto angle_of) {
     double result = 0;
     for (int i = 0; i < 20; ++i) {
@@ -368,9 +339,7 @@ TEST(EmulatorChange, TheLineLosesBytesFromThenOn) {
   bench.send(stream_of(20));
   bench.listen(seconds(1));
   EXPECT_EQ(lost(), 0U);
-  EmulatorOptions options;
-  options.line.faults.lost = 0.1;
-  bench.emulator.change(options, bench.now);
+  bench.emulator.change({.line = {.faults = {.lost = 0.1}}}, bench.now);
   bench.listen(seconds(1));
   const std::uint64_t some = lost();
   EXPECT_GT(some, 100U);

@@ -1,10 +1,15 @@
 /// Helpers shared by the tests of a line: bytes to send, and their arrivals.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 #include <sbgc/emulator/line.hpp>
 #include <sbgc/message.hpp>

@@ -1,22 +1,13 @@
 // Tests of a line: what the other end receives and when, also with other settings of the UART and
 // with faults, each of which occurs as often as configured; text appears only between frames.
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
 #include <numeric>
 #include <string>
-#include <vector>
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <sbgc/emulator/uart.hpp>
 #include <sbgc/parser.hpp>
 
 #include "line_rig.hpp"
-#include "physics/noise.hpp"
 
 namespace sbgc::emulator::test {
 namespace {

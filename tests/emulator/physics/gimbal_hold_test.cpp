@@ -1,9 +1,5 @@
 // Tests of the stabilization of the camera: with faults, motors off, and low battery.
 
-#include <gtest/gtest.h>
-
-#include <sbgc/emulator/gimbal.hpp>
-
 #include "gimbal_rig.hpp"
 
 namespace sbgc::emulator::test {

@@ -1,9 +1,5 @@
 // Tests of the motion of targets: modes, limits, arrival, RC signals, following.
 
-#include <gtest/gtest.h>
-
-#include <sbgc/emulator/gimbal.hpp>
-
 #include "gimbal_rig.hpp"
 
 namespace sbgc::emulator::test {

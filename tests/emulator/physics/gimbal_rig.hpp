@@ -2,8 +2,11 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+
+#include <gtest/gtest.h>
 
 #include <sbgc/emulator/gimbal.hpp>
 

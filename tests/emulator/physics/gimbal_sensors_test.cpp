@@ -1,13 +1,7 @@
 // Tests of the sensors' measurements, of the IMU's estimate, and of attitudes and quaternions.
 
-#include <array>
-#include <cmath>
 #include <numbers>
 #include <random>
-
-#include <gtest/gtest.h>
-
-#include <sbgc/emulator/gimbal.hpp>
 
 #include "gimbal_rig.hpp"
 #include "physics/attitude.hpp"
@@ -279,9 +273,7 @@ TEST(Sensors, TheyWarmUp) {
 double heading_of(const Sample& sample) { return sample.joints.yaw; }
 
 TEST(Drift, TurnsTheCameraUnnoticedUntilTheGyroscopeIsCalibrated) {
-  Gimbal::Options options;
-  options.noise = 20;
-  Gimbal gimbal = ready(options);
+  Gimbal gimbal = ready({.noise = 20});
   const Sample start = gimbal.sample(ms(5000));
   const Sample drifted = gimbal.sample(ms(600'000));
   EXPECT_NEAR(drifted.angles.yaw, 0, 0.1);

@@ -1,17 +1,10 @@
 // Tests of time: the same seed and commands give the same samples, regardless of the sampling rate.
 
-#include <algorithm>
-#include <array>
 #include <bit>
-#include <cmath>
 #include <iterator>
 #include <limits>
 #include <type_traits>
 #include <vector>
-
-#include <gtest/gtest.h>
-
-#include <sbgc/emulator/gimbal.hpp>
 
 #include "gimbal_rig.hpp"
 #include "physics/disturbance_motion.hpp"

@@ -5,11 +5,6 @@
 #include <map>
 #include <sstream>
 #include <stdexcept>
-#include <string>
-#include <vector>
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <sbgc/text.hpp>
 

@@ -26,11 +26,7 @@ namespace {
 
 constexpr auto patience = std::chrono::seconds(60);
 
-emulator::EmulatorOptions options() {
-  emulator::EmulatorOptions result;
-  result.board.waits_for_saving = true;
-  return result;
-}
+emulator::EmulatorOptions options() { return {.board = {.waits_for_saving = true}}; }
 
 /// A simulated disk that completes writes on request.
 class Disk {
