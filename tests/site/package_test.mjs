@@ -43,6 +43,10 @@ export async function firmware(gimbal: Gimbal): Promise<number> {
   return info.firmware_ver;
 }
 await encode("Control", { control_mode: ["MODE_SPEED"] });
+const [frame] = await decode(new Uint8Array(1));
+// @ts-expect-error: its body may be damaged
+if (frame?.message === "Control") frame.fields.axes;
+if (frame?.fields === undefined) frame?.error.code;
 // @ts-expect-error: a misspelled name
 await encode("Control", { control_mode: "MODE_SPED" });
 // @ts-expect-error: no such field
@@ -61,8 +65,8 @@ test("500 requests have the bytes of the native program", async () => {
   const codec = await sdk.messages();
   const lines = [];
   const frames = [];
-  for (const { message, fields, direction } of vectors()) {
-    if (direction === "from_board" || fields === undefined) continue;
+  for (const { message, fields, direction, error } of vectors()) {
+    if (direction === "from_board" || fields === undefined || error) continue;
     try {
       frames.push(Buffer.from(codec.encode(message, fields)).toString("hex"));
       lines.push(JSON.stringify({ message, fields }));
@@ -83,6 +87,30 @@ test("each wrong value is named", async () => {
   await assert.rejects(sdk.encode("Control", { axes: { pitch: { angel: 1 } } }), /angel/);
   await assert.rejects(sdk.encode("Controll"), { name: "ProtocolError" });
   await assert.rejects(sdk.emulator({ faults: ["low-batery"] }), /low-battery/);
+  for (const [values, path] of [[{ axes: { roll: { angle: "30" } } }, "axes.roll.angle"], [{ axes: 1 }, "axes"]]) {
+    const isNamed = ({ problems: [[field, text]] }) => field === path && text.endsWith("is needed");
+    await assert.rejects(sdk.encode("Control", values), isNamed);
+  }
+  await assert.rejects(sdk.encode("ExtMotorsControl", { data_set: 1, setpoint16: [1] }), /^ProtocolError: setpoint16: .*excludes/);
+});
+
+test("what is missing has its default, and names stand for numbers, also in lists and optional fields", async () => {
+  for (const [name, values, ids] of [
+    ["GetAdjVarsVal", { param_id: [14, "FOLLOW_SPEED_YAW"] }, { num_vars: 2, param_id: [14, 15] }],
+    ["SetAdjVarsVal", { params: [{ param_id: "FOLLOW_SPEED_YAW" }] }, { num_vars: 1, params: [{ param_id: 15, param_value: 0 }] }],
+    ["ExtMotorsControlConfig", { data_set: ["MODE"], mode: "TORQUE" }, { for_motors: 0, data_set: 1, mode: 2 }],
+    ["ExtMotorsControl", { data_set: 1 }, { for_motors: 0, data_set: 1, setpoint32: [] }],
+  ]) {
+    const [{ fields }] = await sdk.decode(await sdk.encode(name, values), "host");
+    assert.deepEqual(fields, ids, name);
+  }
+});
+
+test("an argument of a wrong type is a TypeError", async () => {
+  for (const wrong of [
+    () => sdk.decode("3e43"), () => sdk.decode(new Uint8Array(3), "gimbal"), () => sdk.connect({ readable: null }),
+    () => sdk.encode("Control", {}, { framing: "old" }), () => sdk.emulator(null),
+  ]) await assert.rejects(wrong, { name: "TypeError", message: /needed|is "|open the port/ });
 });
 
 test("a response is decoded with its request, and what is no number moves nothing", async () => {

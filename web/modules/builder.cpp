@@ -12,8 +12,8 @@
 //
 // encode() reads the name of a message; "newest" or "basic" for the framing; lines PATH=VALUE; an
 // empty line; and the message in JSON, to which the lines are assigned. Its output has "frame" and
-// "problems" alone. defaults() reads a name and writes the JSON of a new message, names() lists all
-// messages.
+// "problems" alone. defaults() reads a name and paths, one a line, and writes the JSON of a new
+// message with these fields and elements. names() lists all messages.
 
 #include <algorithm>
 #include <array>
@@ -97,7 +97,12 @@ std::string frame_of(const AnyMessage& message, std::vector<Problem>& problems,
   std::array<std::uint8_t, max_frame_size> frame{};
   const WriteResult written = message.encode_frame(framing, frame);
   if (written) return detail::to_hex(std::span(frame).first(written.size));
-  problems.push_back(about(written.status.field, to_string(written.status)));
+  const std::string_view field = written.status.field;
+  if (written.status.code == Code::presence_mismatch && message.has(field)) {
+    problems.emplace_back(field, "another value of the message, such as a flag, excludes it");
+  } else {
+    problems.push_back(about(field, to_string(written.status)));
+  }
   return "";
 }
 
@@ -161,9 +166,11 @@ void encode(std::string_view input, JsonWriter& out) {
     AnyMessage message = type->make();
     const auto read = message.from_json(input);
     if (read.problem) {
-      problems.emplace_back("", to_string(*read.problem));
+      // The caller has not seen the lines and columns of this JSON.
+      problems.emplace_back(read.problem->field, read.problem->reason);
     } else {
       problems = assign_all(lines, message);
+      add_demanded(message);
       add_violations(message, problems);
       frame = frame_of(message, problems, framing);
     }
@@ -171,8 +178,10 @@ void encode(std::string_view input, JsonWriter& out) {
   put_result(out, frame, problems);
 }
 
-std::string defaults_of(const MessageType& type) {
-  std::string json = new_message(type).to_json();
+std::string defaults_of(const MessageType& type, std::string_view paths) {
+  AnyMessage message = new_message(type);
+  assign_all(paths, message);
+  std::string json = message.to_json();
   for (const FieldType& field : type.fields()) {
     if (!field.is_counter) continue;
     const std::size_t at = json.find('"' + std::string(field.name) + "\":");
@@ -201,8 +210,9 @@ SBGC_EXPORT(encode) void sbgc_encode() { sbgc::tools::answer(sbgc::tools::encode
 /// Writes a new message as JSON, without the counters of lists; nothing if there is no such
 /// message.
 SBGC_EXPORT(defaults) void sbgc_defaults() {
-  const sbgc::MessageType* const type = sbgc::find_message(sbgc::web::input_text());
-  sbgc::tools::exchange().output = type == nullptr ? "" : sbgc::tools::defaults_of(*type);
+  std::string_view paths = sbgc::web::input_text();
+  const sbgc::MessageType* const type = sbgc::find_message(sbgc::tools::take_line(paths));
+  sbgc::tools::exchange().output = type == nullptr ? "" : sbgc::tools::defaults_of(*type, paths);
 }
 
 /// Lists the names of all messages, one a line, '>' before those that are sent to the board.

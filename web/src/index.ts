@@ -8,7 +8,7 @@ import type { FieldForm } from "./messages.js";
 import type { EmulatorOptions, Finding } from "./modules.js";
 import { now, Timer } from "./timer.js";
 import type { Answers, Input, Requests } from "./types.js";
-import { Wasm } from "./wasm.js";
+import { membersOf, Wasm } from "./wasm.js";
 import type { View } from "./worker_messages.js";
 
 export { Messages, ProtocolError };
@@ -46,7 +46,7 @@ export async function encode<Name extends keyof Requests>(
   return (await messages()).encode(name, values, options);
 }
 
-/** Returns the frames in bytes, and skips all other bytes. */
+/** Returns the frames in bytes, and skips all other bytes. `from` is the sender. */
 export async function decode(bytes: Uint8Array, from?: Direction): Promise<Decoded[]> {
   return (await messages()).decode(bytes, from);
 }
@@ -124,9 +124,8 @@ export interface AxisValues {
 }
 
 const settings = (values: object): string =>
-  Object.entries(values)
-    .filter(([, value]) => value !== undefined)
-    .map(([name, value]: [string, unknown]) => {
+  membersOf(values)
+    .map(([name, value]) => {
       if (typeof value !== "number") throw new TypeError(`${name}: a number is needed`);
       return ` ${name}=${value}`;
     })
@@ -136,9 +135,13 @@ class StreamLine implements LineEnd {
   readonly #reader: ReadableStreamDefaultReader<Uint8Array>;
   readonly #writer: WritableStreamDefaultWriter<Uint8Array>;
 
-  constructor({ readable, writable }: Streams, handlers: LineHandlers) {
-    this.#reader = readable.getReader();
-    this.#writer = writable.getWriter();
+  constructor(streams: Streams, handlers: LineHandlers) {
+    // A port of Web Serial has none before it is open.
+    if (!streams?.readable || !streams.writable) {
+      throw new TypeError("the line has no streams; open the port first");
+    }
+    this.#reader = streams.readable.getReader();
+    this.#writer = streams.writable.getWriter();
     void this.#read(handlers);
   }
 

@@ -11,8 +11,6 @@ export interface FrameFacts {
   command: string | null;
   id: number;
   direction: string | null;
-  error?: { code: string; [detail: string]: unknown };
-  body?: string;
 }
 
 /** The values of a message, by its name. */
@@ -20,8 +18,17 @@ export type DecodedMessage = {
   [Name in keyof AllMessages]: { message: Name; fields: AllMessages[Name] };
 }[keyof AllMessages];
 
-/** A frame; `message` is null if none fits. */
-export type Decoded = FrameFacts & (DecodedMessage | { message: null; fields?: undefined });
+/** A frame that does not decode: the message that it would be, or null, and the problem. */
+export interface Undecoded {
+  message: keyof AllMessages | null;
+  fields?: undefined;
+  error: { code: string; field: string; offset: number };
+  /** The bytes in hex digits. */
+  body: string;
+}
+
+/** A frame, with `fields` or with an `error`. */
+export type Decoded = FrameFacts & ((DecodedMessage & { error?: undefined }) | Undecoded);
 
 /** A frame with human-readable values. */
 export interface DecodedRows {
@@ -64,27 +71,47 @@ export interface EncodeOptions {
 
 type Json = null | boolean | number | string | Json[] | { [name: string]: Json };
 
+/** The path of a member or an element. */
+const pathOf = (path: string, key: string, isElement: boolean): string =>
+  isElement ? `${path}[${key}]` : path === "" ? key : `${path}.${key}`;
+
+/** The paths of a value and all its parts, one a line. */
+function pathsIn(value: Json | undefined, path = ""): string {
+  if (value === undefined) return "";
+  const parts = value !== null && typeof value === "object" ? Object.entries(value) : [];
+  const isList = Array.isArray(value);
+  const inner = parts.map(([key, part]) => pathsIn(part, pathOf(path, key, isList)));
+  return `${path.replaceAll("\n", " ")}\n${inner.join("")}`;
+}
+
 /** Puts values in place of defaults. Names for numbers go into `named`: PATH=NAME|NAME. */
 function merged(base: Json | undefined, value: Json, path: string, named: string[]): Json {
   if (typeof base === "number" && typeof value !== "number") {
     const names = Array.isArray(value) ? value : [value];
-    if (names.every((name) => typeof name === "string")) {
+    // Not "30", which would be in the unit of the field.
+    if (names.every((name) => typeof name === "string" && /^[a-z]/i.test(name))) {
       named.push(`${path}=${names.join("|").replaceAll("\n", " ") || "0"}`);
       return base;
     }
   }
   if (Array.isArray(value)) {
     const from = Array.isArray(base) ? base : [];
-    return value.map((one, index) => merged(from[index], one, `${path}[${index}]`, named));
+    return value.map((one, index) => merged(from[index], one, pathOf(path, `${index}`, true), named));
   }
   if (value === null || typeof value !== "object") return value;
   const result: { [name: string]: Json } =
     base !== null && typeof base === "object" && !Array.isArray(base) ? { ...base } : {};
   for (const [name, inner] of Object.entries(value)) {
     if (inner === undefined) continue;
-    result[name] = merged(result[name], inner, path === "" ? name : `${path}.${name}`, named);
+    result[name] = merged(result[name], inner, pathOf(path, name, false), named);
   }
   return result;
+}
+
+/** Programs without types pass anything. */
+function requireOneOf(argument: string, value: unknown, ...allowed: string[]): void {
+  if (allowed.some((one) => one === value)) return;
+  throw new TypeError(`${argument} is ${allowed.map((one) => `"${one}"`).join(" or ")}`);
 }
 
 export class Messages {
@@ -96,6 +123,7 @@ export class Messages {
 
   /** The names of all messages of a sender. */
   names(direction: Direction): string[] {
+    requireOneOf("the direction", direction, "host", "board");
     const sign = direction === "host" ? ">" : "<";
     return this.#wasm
       .text("names", null)
@@ -113,7 +141,8 @@ export class Messages {
     values: Input<Requests[Name]> = {} as Input<Requests[Name]>,
     { framing = "basic" }: EncodeOptions = {},
   ): Uint8Array {
-    const defaults = this.#wasm.text("defaults", name);
+    requireOneOf("framing", framing, "basic", "newest");
+    const defaults = this.#wasm.text("defaults", `${name}\n${pathsIn(values as Json)}`);
     if (defaults === "") throw new ProtocolError([["", `there is no message '${name}'`]]);
     const named: string[] = [];
     const all = merged(JSON.parse(defaults) as Json, values as Json, "", named);
@@ -126,7 +155,7 @@ export class Messages {
     return bytesOf(made.frame);
   }
 
-  /** Returns the frames in bytes, and skips all other bytes. */
+  /** Returns the frames in bytes, and skips all other bytes. `from` is the sender. */
   decode(bytes: Uint8Array, from?: Direction): Decoded[] {
     const stream = new FrameStream(this.#wasm, from);
     return [...stream.feed(bytes), ...stream.finish()].map(({ frame }) => frame);
@@ -134,7 +163,7 @@ export class Messages {
 
   /** Returns the fields of a message. */
   describe(name: string): FieldForm[] {
-    const built = JSON.parse(this.#wasm.text("build", `${name.replaceAll("\n", " ")}\n\n`)) as {
+    const built = JSON.parse(this.#wasm.text("build", `${String(name).replaceAll("\n", " ")}\n\n`)) as {
       fields: FieldForm[];
       problems: Problem[];
     };
@@ -150,6 +179,7 @@ export class FrameStream {
   readonly #wasm: Wasm;
 
   constructor(wasm: Wasm, from?: Direction) {
+    if (from !== undefined) requireOneOf("the sender", from, "host", "board");
     this.#wasm = wasm;
     this.#wasm.call("start", from === undefined ? 0 : from === "host" ? 1 : 2, 0);
   }

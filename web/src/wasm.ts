@@ -48,6 +48,9 @@ export class Wasm {
   /** Calls a function with an input, and returns its output, valid until the next call. */
   bytes(name: string, input: Uint8Array | null, ...numbers: number[]): Uint8Array {
     if (input !== null) {
+      if (!ArrayBuffer.isView(input) || input.BYTES_PER_ELEMENT !== 1) {
+        throw new TypeError("bytes are needed, in a Uint8Array");
+      }
       const pointer = this.call("input", input.length);
       new Uint8Array(this.#memory.buffer, pointer, input.length).set(input);
     }
@@ -67,10 +70,15 @@ export class Wasm {
   }
 }
 
+/** The members of an argument that are set. */
+export function membersOf(values: object): [string, unknown][] {
+  if (values === null || typeof values !== "object") throw new TypeError("an object is needed");
+  return Object.entries(values).filter(([, value]) => value !== undefined);
+}
+
 /** Values as lines NAME=VALUE, which the modules read. */
 export const settingLines = (values: object): string =>
-  Object.entries(values)
-    .filter(([, value]) => value !== undefined)
+  membersOf(values)
     .map(([name, value]) => `${name}=${String(value).replaceAll("\n", " ")}\n`)
     .join("");
 

@@ -115,7 +115,7 @@ def _names_of(field: Field) -> _Names | None:
         enums += [type_.names] if type_.names else []
     else:
         return None
-    values = tuple(value.name for enum in enums for value in enum.values)
+    values = tuple(dict.fromkeys(value.name for enum in enums for value in enum.values))
     return _Names(type_.name, type_.summary, values) if values else None
 
 
