@@ -402,8 +402,11 @@ void for_each_searched(const Use& use) {
   for_each_known_field([&](const std::string& path, const FieldInfo& field) {
     use(path, field.summary, topics_of(field));
   });
-  for (const VariableInfo& variable : variables) {
-    use(std::string(variable.name), variable.summary, none);
+  // Adjustable variables are values of an enum, too.
+  for (const NamedType& type : named_types()) {
+    use(std::string(type.name), summary_of_type(type.name), none);
+    if (type.names == nullptr) continue;
+    for (const ValueInfo& value : type.names->values) use(value.name, value.summary, none);
   }
 }
 
@@ -454,7 +457,7 @@ bool print_nearest(const PageText& page, const std::string& words) {
     for (std::size_t i = 0; i < counts.size(); ++i) {
       if (place.words[i] == WordPlace::nowhere) continue;
       const double weight = std::log2(static_cast<double>(all) / static_cast<double>(counts[i]));
-      place.weight += weight * (place.words[i] == WordPlace::name ? 1.25 : 1);
+      place.weight += weight * (place.words[i] == WordPlace::name ? 1.5 : 1);
     }
   }
   std::ranges::stable_sort(found, std::ranges::greater{}, &Place::weight);

@@ -106,8 +106,10 @@ std::vector<std::string> significant_words(std::string_view question) {
   };
   std::vector<std::string> words = words_of(question, is_part);
   std::vector<std::string> significant;
-  std::copy_if(words.begin(), words.end(), std::back_inserter(significant), [](const auto& word) {
-    return !has_word(common_words, word) && !has_word(filler_words, word);
+  std::copy_if(words.begin(), words.end(), std::back_inserter(significant), [&](const auto& word) {
+    const bool is_loud =
+        word.size() > 1 && question.find(detail::upper_case(word)) != question.npos;  // the bus CAN
+    return (is_loud || !has_word(common_words, word)) && !has_word(filler_words, word);
   });
   return significant.empty() ? words : significant;
 }
