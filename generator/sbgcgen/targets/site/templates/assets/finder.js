@@ -15,7 +15,7 @@ const sbgcFinder = async (MiniSearch, { synonyms, entries, links }) => {
   // The weights of kinds: people want some more often than others.
   const kinds = {
     page: 1.5, guide: 1.5, section: 1.4, message: 1.4, version: 0.9, unit: 1, command: 1, family: 1, enum: 0.9, flags: 0.9, packed: 0.7,
-    field: 0.6, variable: 0.6, value: 0.35, name: 0.3, erratum: 0.3,
+    field: 0.7, variable: 0.7, value: 0.5, name: 0.3, erratum: 0.3,
   };
   // The usual values but for b: a long list of words that people ask with is no worse than a short one.
   const bm25 = { k: 1.2, b: 0.3, d: 0.5 };
