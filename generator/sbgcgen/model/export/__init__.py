@@ -10,7 +10,7 @@ from typing import Any
 from sbgcgen.model import Command, Framing, Layout
 from sbgcgen.model.export.messages import message_json
 from sbgcgen.model.export.types import enum_json, former_names, given, packed_json, quantity_json
-from sbgcgen.model.export.types import variable_json, version
+from sbgcgen.model.export.types import told, variable_json
 
 
 def export(layout: Layout) -> dict[str, Any]:
@@ -32,40 +32,27 @@ def _model(layout: Layout) -> dict[str, Any]:
         "line": {
             "baud_rates": list(layout.line.baud_rates),
             "named_baud_rates": list(layout.line.baud_rates[: layout.line.named]),
-            "parities": list(layout.line.parities),
-            "shortest_pause_ms": layout.line.shortest_pause_ms,
-            "longest_pause_ms": layout.line.longest_pause_ms,
-            "source": layout.line.source,
-            "errata": list(layout.line.errata),
+            **told(layout.line, "parities", "shortest_pause_ms", "longest_pause_ms"),
+            **told(layout.line, "source", "errata"),
         },
         "revisions": [
             {
-                "number": revision.number,
-                "date": revision.date,
-                "source": revision.source,
+                **told(revision, "number", "date", "source"),
                 "adds": [addition.text for addition in revision.adds],
                 "changes": list(revision.changes),
             }
             for revision in layout.revisions
         ],
         "directions": [
-            {
-                "name": direction.axis,
-                "positive": direction.positive,
-                "negative": direction.negative,
-                "errata": list(direction.errata),
-            }
+            {"name": direction.axis, **told(direction, "positive", "negative", "errata")}
             for direction in layout.directions
         ],
         "synonyms": [list(group) for group in layout.synonyms],
         "topics": [
-            {"name": topic.name, "summary": topic.summary, "words": list(topic.words)}
-            | given(changes_line=topic.changes_line or None)
+            told(topic, "name", "summary", "words") | given(changes_line=topic.changes_line or None)
             for topic in layout.topics
         ],
-        "families": [
-            {"name": family.name, "summary": family.summary} for family in layout.families
-        ],
+        "families": [told(family, "name", "summary") for family in layout.families],
         "effects": [
             {"name": kind.word, "summary": kind.summary, "risk": kind.risk or None}
             for kind in layout.effects
@@ -78,14 +65,8 @@ def _model(layout: Layout) -> dict[str, Any]:
         "quantities": [quantity_json(quantity) for quantity in layout.quantities],
         "adjustable_variables": [variable_json(variable) for variable in layout.variables],
         "errata": [
-            {
-                "number": erratum.number,
-                "kind": erratum.kind,
-                "lines": list(erratum.lines),
-                "problem": erratum.problem,
-                "reading": erratum.reading,
-                "reason": erratum.reason or None,
-            }
+            told(erratum, "number", "kind", "lines", "problem", "reading")
+            | {"reason": erratum.reason or None}
             for erratum in layout.errata
         ],
     }
@@ -93,37 +74,19 @@ def _model(layout: Layout) -> dict[str, Any]:
 
 def _framing(framing: Framing) -> dict[str, Any]:
     return {
-        "name": framing.name,
-        "since": version(framing.since),
-        "start": framing.start,
-        "header": list(framing.header),
-        "trailer": list(framing.trailer),
+        **told(framing, "name", "since", "start", "header", "trailer"),
         "checksums": [
-            {
-                "name": checksum.name,
-                "kind": checksum.kind,
-                "covers": list(checksum.covers),
-                **(asdict(checksum.crc) if checksum.crc else {}),
-            }
+            told(checksum, "name", "kind", "covers")
+            | (asdict(checksum.crc) if checksum.crc else {})
             for checksum in framing.checksums
         ],
-        "header_size": framing.header_size,
-        "trailer_size": framing.trailer_size,
-        "max_body": framing.max_body,
-        "source": framing.source,
-        "errata": list(framing.errata),
+        **told(framing, "header_size", "trailer_size", "max_body", "source", "errata"),
     }
 
 
 def _command(command: Command) -> dict[str, Any]:
     return {
-        "name": command.name,
-        "id": command.id,
-        "family": command.family,
-        "summary": command.summary,
-        "source": command.source,
-        "errata": list(command.errata),
-        "since": version(command.since),
+        **told(command, "name", "id", "family", "summary", "source", "errata", "since"),
         "documented": not command.undocumented,
     } | given(
         formerly=former_names(command.aliases),

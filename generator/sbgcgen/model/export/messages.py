@@ -10,7 +10,7 @@ from sbgcgen.model import Alternative, Announced, Answer, AnswerCase, Blob, Cond
 from sbgcgen.model import Effect, Enum, Field, Layout, Leaf, Message, Packed, Quantity, Role
 from sbgcgen.model import StopValue, Struct, Until, element_of, field_rules
 from sbgcgen.model.export.types import deprecation, exponential, former_names, given, later_json
-from sbgcgen.model.export.types import number, version
+from sbgcgen.model.export.types import number, told, version
 
 # Forms that users of the export may rely on.
 _FORMS = ("simple", "extended", "success", "error")
@@ -52,8 +52,7 @@ def _alternative(other: Alternative | None, path: str) -> dict[str, Any] | None:
     if other is None:
         return None
     return {
-        "unit": other.quantity.unit,
-        "scale": number(other.quantity.scale),
+        **told(other.quantity, "unit", "scale"),
         "flag": other.flag.name,
         "field": (path.rpartition(".")[0] + "." if other.in_group else "") + other.source,
     }
@@ -129,10 +128,7 @@ def _answer(answer: Answer | None) -> dict[str, Any] | None:
     if answer is None:
         return None
     return {
-        "messages": list(answer.messages),
-        "confirm": answer.confirm,
-        "confirmations": answer.confirmations,
-        "timeout_ms": answer.timeout_ms,
+        **told(answer, "messages", "confirm", "confirmations", "timeout_ms"),
         "retry": "safe" if answer.retry_safe else "unsafe",
         "certain": answer.is_certain,
         "cases": [_case(case) for case in answer.cases],
@@ -144,9 +140,7 @@ def _case(case: AnswerCase) -> dict[str, Any]:
         "when": _condition(case.when),
         "messages": list(case.messages),
         "series": case.series or None,
-        "confirm": case.confirm,
-        "confirmations": case.confirmations,
-        "timeout_ms": case.timeout_ms,
+        **told(case, "confirm", "confirmations", "timeout_ms"),
         "finish_ms": case.finish_ms or case.timeout_ms,
         "retry": "safe" if case.retry_safe else "unsafe",
         "restarts_board": case.restarts,
@@ -157,19 +151,12 @@ def _case(case: AnswerCase) -> dict[str, Any]:
         ],
         "errata": list(case.errata),
     }
-    if case.confirmation:
-        repeated = case.confirmation
-        result["confirmation_correlation"] = {
-            "field": repeated.field.name,
-            "offset": repeated.offset,
-        }
-    if case.result:
-        found = case.result
-        result["confirmation_result"] = {
-            "field": found.field.name,
-            "offset": found.offset,
-            "success": found.success.name,
-        }
+    if repeated := case.confirmation:
+        place = {"field": repeated.field.name, "offset": repeated.offset}
+        result["confirmation_correlation"] = place
+    if found := case.result:
+        place = {"field": found.field.name, "offset": found.offset}
+        result["confirmation_result"] = place | {"success": found.success.name}
     return result
 
 
@@ -179,14 +166,8 @@ def _role(role: Role | None) -> dict[str, Any] | None:
     result: dict[str, Any] = {"is": role.kind}
     result.update({part: field.name for part, field in role.parts.items()})
     if role.kind == "stream_request":
-        result.update(
-            messages=list(role.messages),
-            interval_us=role.interval_us,
-            end=role.end,
-            cycle=role.cycle,
-            cycle_us=role.cycle_us,
-            limit=role.limit or None,
-        )
+        result |= told(role, "messages", "interval_us", "end", "cycle", "cycle_us")
+        result["limit"] = role.limit or None
     if role.kind == "reset":
         result["delay_ms"] = role.delay_ms
     return result
@@ -201,8 +182,7 @@ def _effect(effect: Effect | None) -> dict[str, Any] | None:
 
 
 def _stop_value(value: StopValue) -> dict[str, Any]:
-    result = {"path": value.path, "value": value.value}
-    return {**result, "mask": value.mask} if value.mask else result
+    return told(value, "path", "value", *(["mask"] if value.mask else []))
 
 
 def _context(context: Context, message: Message) -> dict[str, Any]:
@@ -215,12 +195,8 @@ def _context(context: Context, message: Message) -> dict[str, Any]:
         enum = context.type.name if context.type else None
         return {**common, "enum": enum, "from": sources}
     announced = context.announced
-    return {
-        **common,
-        "announced_by": f"{announced.message}.{announced.list}",
-        "kind": announced.kind,
-        "count": announced.count,
-    }
+    place = {"announced_by": f"{announced.message}.{announced.list}"}
+    return common | place | told(announced, "kind", "count")
 
 
 def _groups(fields: tuple[Field, ...], path: str = "") -> Iterator[tuple[str, Field]]:
@@ -284,24 +260,15 @@ def message_json(message: Message, layout: Layout) -> dict[str, Any]:
     """A message of the layout as plain data."""
     groups = list(_groups(message.fields))
     result = {
-        "name": message.name,
-        "command": message.command,
-        "id": message.id,
-        "direction": message.direction,
+        **told(message, "name", "command", "id", "direction"),
         "form": _form(message.form),
         **({"form_name": message.form} if message.form else {}),
-        "family": message.family,
-        "summary": message.summary,
+        **told(message, "family", "summary"),
         "description": message.description or None,
-        "source": message.source,
-        "errata": list(message.errata),
-        "since": version(message.since),
+        **told(message, "source", "errata", "since"),
         "until": _until(message.until),
         "deprecated": deprecation(message.deprecated),
-        "min_size": message.min_size,
-        "max_size": message.max_size,
-        "keeps_tail": message.keeps_tail,
-        "takes_surplus": message.takes_surplus,
+        **told(message, "min_size", "max_size", "keeps_tail", "takes_surplus"),
         "same_as": message.same_as or None,
         "stores": message.stores or None,
         "effect": _effect(message.effect),

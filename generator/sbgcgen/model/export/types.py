@@ -37,6 +37,19 @@ def former_names(aliases: tuple[Alias, ...]) -> list[str] | None:
     return [alias.spec_name for alias in aliases] or None
 
 
+def told(thing: Any, *names: str) -> dict[str, Any]:
+    """The attributes with these names: keys that are called as in the model."""
+    return {name: _plain(getattr(thing, name)) for name in names}
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, Availability):
+        return version(value)
+    if isinstance(value, tuple):
+        return list(value)
+    return number(value) if isinstance(value, Fraction) else value
+
+
 def given(**values: Any) -> dict[str, Any]:
     """The values that are not None, for keys that most objects lack."""
     return {key: value for key, value in values.items() if value is not None}
@@ -45,14 +58,9 @@ def given(**values: Any) -> dict[str, Any]:
 def _value(value: EnumValue) -> dict[str, Any]:
     former = value.former
     return {
-        "name": value.name,
-        "value": value.value,
-        "identifier": value.identifier,
+        **told(value, "name", "value", "identifier"),
         "named_by_specification": not value.ours,
-        "summary": value.summary,
-        "since": version(value.since),
-        "errata": list(value.errata),
-        "number": value.number,
+        **told(value, "summary", "since", "errata", "number"),
         "number_type": value.wire or None,
     } | given(
         formerly=former_names(value.aliases),
@@ -66,13 +74,10 @@ def _value(value: EnumValue) -> dict[str, Any]:
 def enum_json(enum: Enum) -> dict[str, Any]:
     """An enum or flag set as plain data."""
     return {
-        "name": enum.name,
-        "kind": enum.kind,
+        **told(enum, "name", "kind"),
         "width": enum.scalar.size,
         "type": enum.scalar.name,
-        "summary": enum.summary,
-        "source": enum.source,
-        "errata": list(enum.errata),
+        **told(enum, "summary", "source", "errata"),
         "success": enum.success.name if enum.success else None,
         "values": [_value(value) for value in enum.values],
     }
@@ -84,9 +89,7 @@ def packed_json(packed: Packed) -> dict[str, Any]:
     return {
         "name": packed.name,
         "width": packed.scalar.size,
-        "summary": packed.summary,
-        "source": packed.source,
-        "errata": list(packed.errata),
+        **told(packed, "summary", "source", "errata"),
         "names": packed.names.name if packed.names else None,
         "display": packed.display or None,
         **({"later_display": later} if packed.later_display else {}),
@@ -110,9 +113,7 @@ def _part(part: Part) -> dict[str, Any]:
     )
     if part.quantity:
         result["quantity"] = part.quantity.name
-        result["unit"] = part.quantity.unit
-        result["scale"] = number(part.quantity.scale)
-        result |= exponential(part.quantity)
+        result |= {**told(part.quantity, "unit", "scale"), **exponential(part.quantity)}
     return result
 
 
@@ -133,9 +134,7 @@ def _later(later: Later) -> dict[str, Any]:
     quantity = type_ if isinstance(type_, Quantity) else None
     return {
         "since": version(later.since),
-        "unit": quantity.unit if quantity else None,
-        "scale": number(quantity.scale) if quantity else None,
-        "add": number(quantity.offset) if quantity else None,
+        **_unit(quantity),
         **exponential(quantity),
         "min": number(later.minimum),
         "max": number(later.maximum),
@@ -147,15 +146,21 @@ def _later(later: Later) -> dict[str, Any]:
     )
 
 
+def _unit(quantity: Quantity | None) -> dict[str, Any]:
+    """The unit of raw * scale + add."""
+    if quantity is None:
+        return dict.fromkeys(("unit", "scale", "add"))
+    return {**told(quantity, "unit", "scale"), "add": number(quantity.offset)}
+
+
 def quantity_json(q: Quantity) -> dict[str, Any]:
     """A quantity as plain data."""
     return {
         "name": q.name,
         "type": q.scalar.name,
-        "unit": q.unit,
-        "scale": number(q.scale),
+        **told(q, "unit", "scale"),
         "scale_exact": str(q.scale),
-        "offset": number(q.offset),
+        **told(q, "offset"),
         **exponential(q),
         "summary": q.summary,
         **({"directed": True} if q.is_directed else {}),
@@ -165,30 +170,23 @@ def quantity_json(q: Quantity) -> dict[str, Any]:
 
 def variable_json(variable: Variable) -> dict[str, Any]:
     """An adjustable variable and the parameters that it sets, as plain data."""
-    quantity = variable.quantity
     result = {
-        "name": variable.name,
-        "id": variable.id,
+        **told(variable, "name", "id"),
         "type": variable.scalar.name,
         "min": variable.minimum,
         "max": variable.maximum,
-        "unit": quantity.unit if quantity else None,
-        "scale": number(quantity.scale) if quantity else None,
-        "add": number(quantity.offset) if quantity else None,
-        "summary": variable.summary,
-        "since": version(variable.since),
-        "errata": list(variable.errata),
+        **_unit(variable.quantity),
+        **told(variable, "summary", "since", "errata"),
         "sets": [
             {
-                "message": setting.message,
-                "path": setting.path,
+                **told(setting, "message", "path"),
                 "scale_exact": str(setting.scale),
                 "add_exact": str(setting.offset),
             }
             for setting in variable.settings
         ],
         "as_switch": variable.is_switch,
-        **exponential(quantity),
+        **exponential(variable.quantity),
     }
     if variable.is_directed:
         result["positive"] = variable.direction and variable.direction.positive
