@@ -87,9 +87,19 @@ def shape_errors(spec: Spec) -> Iterator[ShapeError]:
 
 
 @cache
+def definitions() -> dict[str, Any]:
+    """The definitions of the schema. A form is a message without forms, so hints do not offer that key."""
+    found: dict[str, Any] = json.loads(SCHEMA_FILE.read_text(encoding="utf-8"))["$defs"]
+    keys = {key: schema for key, schema in found["message"]["properties"].items() if key != "forms"}
+    found["form"] = {**found["message"], **found["form"], "properties": keys}
+    del found["form"]["$ref"]
+    return found
+
+
+@cache
 def _validator(kind: str) -> jsonschema.Draft202012Validator:
-    definitions = json.loads(SCHEMA_FILE.read_text(encoding="utf-8"))["$defs"]
-    return jsonschema.Draft202012Validator({"$ref": f"#/$defs/{kind}", "$defs": definitions})
+    schema = {"$ref": f"#/$defs/{kind}", "$defs": definitions()}
+    return jsonschema.Draft202012Validator(schema)
 
 
 def _relevant_errors(errors: Iterable[Any], content: Map) -> Iterator[ShapeError]:

@@ -6,7 +6,6 @@ A path is a definition of the schema and the keys below it: `field.range`, `pack
 
 from __future__ import annotations
 
-import json
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -15,10 +14,10 @@ from typing import Any
 import jsonschema
 
 from sbgcgen.spec.load import Spec
-from sbgcgen.spec.schema import SCHEMA_FILE
+from sbgcgen.spec.schema import definitions
 
 Schema = dict[str, Any]
-DEFS: dict[str, Schema] = json.loads(SCHEMA_FILE.read_text(encoding="utf-8"))["$defs"]
+DEFS: dict[str, Schema] = definitions()
 _ROOTS = ("main", "family", "errata")
 
 
