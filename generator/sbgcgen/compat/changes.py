@@ -41,23 +41,23 @@ class Changes:
     written: Versions = Versions()
     found: list[Change] = field(default_factory=list)
 
-    def add(self, level: Level, what: str, old: object, new: object, at: Position) -> None:
+    def add(
+        self, level: Level, what: str, old: object, new: object, at: Position, in_old: bool = False
+    ) -> None:
         """Record an object that differs between the versions."""
-        self._append(Change(level, what, self.text(old), self.text(new), at, False))
+        change = Change(level, what, self.text(old), self.text(new), at, in_old)
+        if change not in self.found:
+            self.found.append(change)
 
     def deleted(self, level: Level, what: str, at: Position, old: object = "present") -> None:
         """Record an object that the new version lacks."""
-        self._append(Change(level, what, self.text(old), "deleted", at, True))
+        self.add(level, what, old, "deleted", at, in_old=True)
 
     def added(
         self, what: str, at: Position, new: object = "added", level: Level = Level.COMPATIBLE
     ) -> None:
         """Record an object that the old version lacks."""
         self.add(level, what, None, new, at)
-
-    def _append(self, change: Change) -> None:
-        if change not in self.found:
-            self.found.append(change)
 
     def text(self, value: object) -> str:
         """A value as text for the report."""

@@ -24,38 +24,34 @@ def load(spec_dir: Path) -> Any:
     return build.load_protocol(spec_dir).layout
 
 
-class Dump:
-    """All objects of a model, each with its class and fields; references are list indices."""
+def dump(layout: Any) -> list[Any]:
+    """The objects of a model with their classes and fields, each after those that it refers to by its index.
 
-    def __init__(self) -> None:
-        self.objects: list[Any] = []
-        self.numbers: dict[int, int] = {}
+    The last one is the Layout.
+    """
+    objects: list[Any] = []
+    numbers: dict[int, int] = {}
 
-    def plain(self, value: Any) -> Any:
-        """A value as plain data, with references to objects."""
+    def plain(value: Any) -> Any:
         if value is None or isinstance(value, (bool, int, float, str)):
             return value
         if isinstance(value, Fraction):
             return {"fraction": str(value)}
         if isinstance(value, dict):
-            return {"map": [[self.plain(k), self.plain(v)] for k, v in value.items()]}
+            return {"map": [[plain(k), plain(v)] for k, v in value.items()]}
         if isinstance(value, tuple):
-            return {"tuple": [self.plain(item) for item in value]}
+            return {"tuple": [plain(item) for item in value]}
         if isinstance(value, list):
-            return [self.plain(item) for item in value]
+            return [plain(item) for item in value]
         assert dataclasses.is_dataclass(value), f"no plain data: {value!r}"
-        if id(value) not in self.numbers:
-            fields = {f.name: self.plain(getattr(value, f.name)) for f in dataclasses.fields(value)}
-            self.numbers[id(value)] = len(self.objects)
-            self.objects.append([type(value).__name__, fields])
-        return {"object": self.numbers[id(value)]}
+        if id(value) not in numbers:
+            fields = {f.name: plain(getattr(value, f.name)) for f in dataclasses.fields(value)}
+            numbers[id(value)] = len(objects)
+            objects.append([type(value).__name__, fields])
+        return {"object": numbers[id(value)]}
 
-
-def dump(layout: Any) -> list[Any]:
-    """The objects of a model, each after those that it refers to; the last one is the Layout."""
-    made = Dump()
-    made.plain(layout)
-    return made.objects
+    plain(layout)
+    return objects
 
 
 def main() -> None:

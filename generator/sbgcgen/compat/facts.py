@@ -11,7 +11,7 @@ from sbgcgen.compat.difference import Each, Getter, Pair
 from sbgcgen.compat.wire import condition, cut, places, wire_type
 from sbgcgen.compat.words import type_text, when_text
 from sbgcgen.model import Enum, EnumValue, Field, Later, Packed, Quantity, Revision, Struct, Type
-from sbgcgen.model import Variable, scalar_of
+from sbgcgen.model import scalar_of
 
 # The whole protocol
 
@@ -35,10 +35,6 @@ def revision_of(revision: Revision | None) -> tuple[object, ...] | None:
     if revision is None:
         return None
     return (revision.date, [added.text for added in revision.adds], revision.changes)
-
-
-def settings_text(variable: Variable) -> str:
-    return " ".join(f"{setting.message}.{setting.path}" for setting in variable.settings)
 
 
 # Named types

@@ -97,13 +97,9 @@ def _object(name: str, facts: Facts) -> Any:
     for field in dataclasses.fields(class_):
         if field.name in facts:
             known[field.name] = facts[field.name]
-        elif _has_no_default(field):
+        elif field.default is field.default_factory is dataclasses.MISSING:
             known[field.name] = _nothing(str(field.type))
     return class_(**known)
-
-
-def _has_no_default(field: dataclasses.Field[Any]) -> bool:
-    return field.default is field.default_factory is dataclasses.MISSING
 
 
 def _nothing(type_: str) -> Any:

@@ -14,7 +14,7 @@ from typing import NamedTuple, Optional
 
 from sbgcgen import library
 from sbgcgen.compat.changes import Change, Level
-from sbgcgen.compat.compare import compare
+from sbgcgen.compat.severities import compare
 from sbgcgen.compat.dump import dump
 from sbgcgen.compat.reading import restore
 from sbgcgen.compat.report import print_changes

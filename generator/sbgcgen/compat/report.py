@@ -8,7 +8,7 @@ from pathlib import Path
 
 from sbgcgen.build import load_protocol
 from sbgcgen.compat.changes import Change, Level
-from sbgcgen.compat.compare import compare
+from sbgcgen.compat.severities import compare
 from sbgcgen.spec.diagnostics import SpecError
 from sbgcgen.model import Layout
 from sbgcgen.compat.reading import UnreadableRevision, layout_of

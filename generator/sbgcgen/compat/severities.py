@@ -10,15 +10,15 @@ from __future__ import annotations
 from typing import Any
 
 from sbgcgen.compat import facts, messages
-from sbgcgen.compat.changes import COMPATIBLE, MEANING, SOURCE, WIRE, Level
-from sbgcgen.compat.difference import Each, Replaced, Row, Severity, Table, Values, rows
+from sbgcgen.compat.changes import COMPATIBLE, MEANING, SOURCE, WIRE, Change, Changes, Level
+from sbgcgen.compat.difference import Each, Pair, Replaced, Row, Severity, Table, Values, rows
 from sbgcgen.compat.fields import compare_structs
 from sbgcgen.compat.wire import cut, times, wire_type
 from sbgcgen.compat.words import cut_text, direction_text, index_text, range_text, type_text
 from sbgcgen.compat.words import when_text
 from sbgcgen.model import Answer, AnswerCase, AxisDirection, Checksum, Command, EffectKind, Enum
 from sbgcgen.model import EnumValue, Field, Framing, Layout, Line, Message, Packed, Part, Quantity
-from sbgcgen.model import Revision, Role, Struct, Variable
+from sbgcgen.model import Position, Revision, Role, Struct, Variable
 
 # Severities that depend on the old and the new value
 
@@ -114,7 +114,9 @@ TABLES: dict[type, Table] = {
         Row("unit", if_old(MEANING), "quantity", text=facts.unit_of),
         Row("range", if_narrower, lambda v: (v.minimum, v.maximum), text=range_text),
         SINCE,
-        Row("sets", if_old(MEANING), facts.settings_text),
+        Row(
+            "sets", if_old(MEANING), lambda v: " ".join(f"{s.message}.{s.path}" for s in v.settings)
+        ),
         Row("as_switch", if_old(MEANING), "is_switch", by="settings"),
         SUMMARY,
     ),
@@ -243,3 +245,12 @@ TABLES: dict[type, Table] = {
         SUMMARY,
     ),
 }
+
+
+def compare(old: Layout, new: Layout) -> list[Change]:
+    """All changes, the worst first; those of equal severity are grouped by kind of entry."""
+    changes = Changes(new.versions)
+    whole_protocol = Position(f"spec/{new.main_file}")
+    Pair(changes, TABLES, "", old, new, whole_protocol).compare()
+    rank = list(Level)
+    return sorted(changes.found, key=lambda change: rank.index(change.level))

@@ -46,10 +46,6 @@ class Piece:
         return self.path in self.missing
 
     @property
-    def is_padding(self) -> bool:
-        return self.field.reserved
-
-    @property
     def raw(self) -> str:
         """The raw value as `sbgc decode` prints it."""
         if isinstance(self.type, Blob) and self.type.kind in ("text", "string"):
@@ -111,7 +107,7 @@ class Example:
         found = []
         for piece in self.pieces:
             is_new = id(piece.field) not in seen or isinstance(piece.field.type, Announced)
-            if is_new and not piece.is_padding and not piece.field.is_counter:
+            if is_new and not piece.field.reserved and not piece.field.is_counter:
                 seen.add(id(piece.field))
                 found.append(piece)
         return found[:_SHOWN]

@@ -29,10 +29,6 @@ class Row:
         return self.leaves[0].path if self.leaves else self.path
 
     @property
-    def name(self) -> str:
-        return self.path.rpartition(".")[2] if self.depth else self.path
-
-    @property
     def spec_name(self) -> str:
         """The protocol's name, with {AXIS} or {1..5} if each element has a name."""
         return self.field.spec_name

@@ -20,7 +20,7 @@ def send_command(example: Example) -> str:
 def _is_said(piece: Piece) -> bool:
     """False for the values of a new message, and for values implied by others."""
     field = piece.field
-    if piece.is_padding or field.is_counter:
+    if field.reserved or field.is_counter:
         return False
     varies = "[" in piece.path or field.dim in ("counted", "rest")
     return any(piece.data) or bool(field.default) or bool(piece.missing) or varies

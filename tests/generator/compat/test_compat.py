@@ -11,7 +11,7 @@ from edits import BASE, CASES, OLD, edited_spec, line_of
 from sbgcgen.build import load_layout
 from sbgcgen.cli import main
 from sbgcgen.compat.changes import Level
-from sbgcgen.compat.compare import compare
+from sbgcgen.compat.severities import compare
 from sbgcgen.compat.report import describe
 from support import PROJECT, Capture, commit, git, start_repository, write_spec
 

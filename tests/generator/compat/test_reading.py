@@ -13,7 +13,7 @@ from edits import OLD, WITHOUT_AIM, line_of
 from sbgcgen.build import load_layout
 from sbgcgen.cli import main
 from sbgcgen.compat import reading
-from sbgcgen.compat.compare import compare
+from sbgcgen.compat.severities import compare
 from sbgcgen.compat.dump import dump
 from sbgcgen.compat.reading import restore
 from sbgcgen.model import AnswerCase, Layout

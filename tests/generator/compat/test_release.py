@@ -10,7 +10,7 @@ from edits import CASES, OLD, WITHOUT_AIM, line_of
 from sbgcgen import library
 from sbgcgen.build import load_layout
 from sbgcgen.cli import main
-from sbgcgen.compat.compare import compare
+from sbgcgen.compat.severities import compare
 from sbgcgen.compat.release import NAME, Release, Step, Version, fingerprint_of, lowest_version
 from sbgcgen.compat.release import parse, read, write
 from support import PROJECT, Capture, write_spec
