@@ -297,12 +297,11 @@ class _Maker:
         """A value of a field that satisfies no condition on it; None if there is none."""
         asked = [w for w in conditions(self.message) if source in {t.source for t in w.tests}]
         # Avoid neighbors that later conditions may use.
-        values = (
-            n
-            for n in (0, *range(127, 0, -1))
-            if not any(w.holds_in({**others, source: n}) for w in asked)
-        )
-        return next(values, None)
+        numbers: list[int] = [0, *range(127, 0, -1)]
+        for number in numbers:
+            if not any(w.holds_in({**others, source: number}) for w in asked):
+                return number
+        return None
 
     def choice(self, **options: Any) -> Choice:
         return Choice(self.places, **options)

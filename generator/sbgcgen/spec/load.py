@@ -251,11 +251,8 @@ def load(spec_dir: Path, found: Diagnostics) -> Spec:
     spec = Spec(main=empty_map(Position(spec_dir.name)))
     main_file = _main_file(spec_dir)
     if main_file is None:
-        text, hint = (
-            "no file has the key 'protocol'",
-            "the main file describes the protocol with it",
-        )
-        found.add(spec.main.position, "SBGC001", text, hint)
+        hint = "the main file describes the protocol with it"
+        found.add(spec.main.position, "SBGC001", "no file has the key 'protocol'", hint)
         return spec
     spec.main = read(main_file)
     families = spec.main.get("families", [])
@@ -266,10 +263,7 @@ def load(spec_dir: Path, found: Diagnostics) -> Spec:
         spec.errata = read(_ERRATA)
     for path in sorted(spec_dir.glob("*.y*ml")) if spec.families else []:
         if path not in spec.files:
-            found.add(
-                Position(f"{spec_dir.name}/{path.name}"),
-                "SBGC003",
-                f"the file is not listed under 'families' in {main_file}",
-                f"add '{path.stem}' there (files end in .yaml), or delete the file",
-            )
+            text = f"the file is not listed under 'families' in {main_file}"
+            hint = f"add '{path.stem}' there (files end in .yaml), or delete the file"
+            found.add(Position(f"{spec_dir.name}/{path.name}"), "SBGC003", text, hint)
     return spec

@@ -153,21 +153,17 @@ class Target:
 def targets() -> tuple[Target, ...]:
     """All targets, sorted by name."""
     folders = sorted(p for p in HERE.iterdir() if p.is_dir() and not p.name.startswith("_"))
-    return tuple(_load(folder) for folder in folders if _is_target(folder))
+    return tuple(target for folder in folders if (target := _load(folder)) is not None)
 
 
 def target(name: str) -> Target:
     return next(t for t in targets() if t.name == name)
 
 
-def _is_target(folder: Path) -> bool:
-    """False for a folder with only leftovers of a deleted target, such as caches."""
-    return (folder / "target.py").is_file() or (folder / "templates").is_dir()
-
-
-def _load(folder: Path) -> Target:
+def _load(folder: Path) -> Optional[Target]:
+    """None for a folder with only leftovers of a deleted target, such as caches."""
     if not (folder / "target.py").is_file():
-        return Target(folder)
+        return Target(folder) if (folder / "templates").is_dir() else None
     module = import_module(f"{__name__}.{folder.name}.target")
     (found,) = (
         thing

@@ -11,18 +11,7 @@ from sbgcgen.model import Enum, EnumValue, Packed, Part, Quantity
 from sbgcgen.model.packed_text import part_of
 
 # Names that every Python message, packed integer or enum already has.
-_TAKEN_IN_PYTHON = {
-    "self",
-    "cls",
-    "raw",
-    "assign",
-    "from_body",
-    "from_json",
-    "to_json",
-    "name",
-    "value",
-    "mro",
-}
+_TAKEN_IN_PYTHON = set("self cls raw assign from_body from_json to_json name value mro".split())
 
 
 def enum_name(value: EnumValue) -> str:
@@ -34,11 +23,8 @@ def enum_name(value: EnumValue) -> str:
 
 def attribute_name(name: str) -> str:
     """The name of a field or part, which may be a Python keyword: in_."""
-    return (
-        f"{name}_"
-        if keyword.iskeyword(name) or name in _TAKEN_IN_PYTHON - {"name", "value"}
-        else name
-    )
+    is_taken = keyword.iskeyword(name) or name in _TAKEN_IN_PYTHON - {"name", "value"}
+    return f"{name}_" if is_taken else name
 
 
 def unit_name(quantity: Quantity) -> str:

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from sbgcgen.model import Command, Enum, Field, Layout, Packed, Quantity
-from sbgcgen.model import Scalar, Settings, Variable, conditions, constants, copy_field
-from sbgcgen.model import scalar_of
+from sbgcgen.model import Command, Enum, Field, Layout, Packed, Quantity, Scalar, Settings
+from sbgcgen.model import Variable, conditions, constants, copy_field, scalar_of
 from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
 from sbgcgen.spec.load import Spec, directions_of
 
@@ -29,13 +28,10 @@ def lint(spec: Spec, layout: Layout, found: Diagnostics) -> None:
 def _check_ids(spec: Spec, layout: Layout, found: Diagnostics) -> None:
     nodes = {name: node for _, name, node, _ in spec.entries("commands")}
     for command in layout.commands:
-        if command.id is None and (
-            "from_board" in nodes[command.name] or "to_board" in nodes[command.name]
-        ):
+        node = nodes[command.name]
+        if command.id is None and ("from_board" in node or "to_board" in node):
             text = f"{command.name} has a body but no id"
-            found.add(
-                nodes[command.name].at("id"), "SBGC034", text, "nothing can be sent without an id"
-            )
+            found.add(node.at("id"), "SBGC034", text, "nothing can be sent without an id")
     for direction in ("from_board", "to_board"):
         seen: dict[int, Command] = {}
         for command in layout.commands:
@@ -114,12 +110,9 @@ def _can_hold(wide: Field, narrow: Field) -> bool:
     has, room = scalar_of(narrow.type), scalar_of(wide.type)
     if wide.dim != "one" or has is None or has.minimum is None or has.maximum is None:
         return False
-    return (
-        room is not None
-        and not room.is_float
-        and room.holds(has.minimum)
-        and room.holds(has.maximum)
-    )
+    if room is None or room.is_float:
+        return False
+    return room.holds(has.minimum) and room.holds(has.maximum)
 
 
 def _check_bodies(layout: Layout, found: Diagnostics) -> None:
@@ -208,18 +201,16 @@ def _check_copies(settings: Settings, found: Diagnostics) -> None:
             found.add(message.at, "SBGC037", text, "mark its field with 'role: copy'")
         if field is None:
             continue
-        is_number = (
-            isinstance(field.type, Scalar) and field.dim == "one" and not field.may_be_absent
-        )
+        is_one = field.dim == "one" and not field.may_be_absent and not field.is_counter
         is_limited = field.maximum is not None and field.maximum < MAX_COPIES
-        if not is_number or field.is_counter or field.minimum != 0 or not is_limited:
+        is_number = isinstance(field.type, Scalar) and field.minimum == 0
+        if not is_one or not is_number or not is_limited:
             text = f"'{field.name}' cannot count the copies of the settings"
             hint = f"it is one integer with a range within 0..{MAX_COPIES - 1} that starts at 0"
             found.add(field.at, "SBGC037", text, hint)
         elif own is not None and own.maximum not in (None, field.maximum):
-            text = (
-                f"'{field.name}' and '{own.name}' of {settings.message.name} have different ranges"
-            )
+            both = f"'{field.name}' and '{own.name}' of {settings.message.name}"
+            text = f"{both} have different ranges"
             found.add(field.at, "SBGC037", text, "both count the same copies")
 
 
@@ -237,9 +228,8 @@ def _check_marked(settings: Settings, found: Diagnostics) -> None:
             found.add(field.at, "SBGC037", text, f"only one integer has the role '{field.role}'")
         elif field.is_counter or field.name in shaping:
             text = f"'{field.name}' determines the layout of {settings.message.name}"
-            found.add(
-                field.at, "SBGC037", text, f"no layout depends on a field of role '{field.role}'"
-            )
+            hint = f"no layout depends on a field of role '{field.role}'"
+            found.add(field.at, "SBGC037", text, hint)
         elif field.offset is None:
             text = f"'{field.name}' has no fixed offset"
             found.add(field.at, "SBGC037", text, "put it before the fields of varying size")

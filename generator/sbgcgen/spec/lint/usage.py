@@ -26,26 +26,20 @@ def lint_names(spec: Spec, found: Diagnostics) -> None:
     _check_texts(spec, nodes, found)
 
 
-def lint_unused(spec: Spec, found: Diagnostics) -> None:
-    """Report unused entries; call it only if there are no other findings."""
-    _check_unused(spec, _all_maps(spec), found)
-
-
 def _all_maps(spec: Spec) -> list[Map]:
     return [*maps_in(spec.main), *chain(*spec.maps.values())]
 
 
-def _check_unused(spec: Spec, nodes: list[Map], found: Diagnostics) -> None:
-    used = {
-        node[key] for node in nodes for key in ("type", "names", "extends") if _is_text(node, key)
-    }
+def lint_unused(spec: Spec, found: Diagnostics) -> None:
+    """Report unused entries; call it only if there are no other findings."""
+    nodes, keys = _all_maps(spec), ("type", "names", "extends")
+    used = {node[key] for node in nodes for key in keys if _is_text(node, key)}
     used |= set(spec.main.get("versions", Map()).values())
     for section, kind in _TYPES.items():
         for _, name, _, at in spec.entries(section):
             if name not in used:
-                found.add(
-                    at, "SBGC050", f"the {kind} {name} is not used", "delete it, or refer to it"
-                )
+                text = f"the {kind} {name} is not used"
+                found.add(at, "SBGC050", text, "delete it, or refer to it")
     referred = {str(number) for node in nodes for number in node.get("errata") or ()}
     errata = spec.errata.get("errata", Map())
     for number in errata:
@@ -66,16 +60,14 @@ def _check_replacements(spec: Spec, nodes: list[Map], found: Diagnostics) -> Non
     for node in nodes:
         if not _is_text(node, "replaced_by"):
             continue
-        names = _NAME.findall(node["replaced_by"])
+        names, at = _NAME.findall(node["replaced_by"]), node.at("replaced_by")
+        hint = "name a command, or a field and its command"
         for name in names:
             if name not in known:
                 message = f"'replaced_by' names {name}, which does not exist"
-                hint = did_you_mean(name, known) or "name a command, or a field and its command"
-                found.add(node.at("replaced_by"), "SBGC051", message, hint)
+                found.add(at, "SBGC051", message, did_you_mean(name, known) or hint)
         if not names:
-            message = "'replaced_by' names no command or field"
-            hint = "name a command, or a field and its command"
-            found.add(node.at("replaced_by"), "SBGC051", message, hint)
+            found.add(at, "SBGC051", "'replaced_by' names no command or field", hint)
 
 
 def _check_texts(spec: Spec, nodes: list[Map], found: Diagnostics) -> None:

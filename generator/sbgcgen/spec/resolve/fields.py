@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
 from typing import Any
@@ -48,7 +48,10 @@ class FieldResolver:
         self._nodes = {
             name: (family, node, at) for family, name, node, at in spec.entries("structs")
         }
-        for family, node in _inline_structs(spec):
+        nodes = ((family, node) for family, all_ in spec.maps.items() for node in all_)
+        for family, node in nodes:
+            if "struct" not in node or "fields" not in node:
+                continue
             name = str(node["struct"])
             if name in self._nodes:
                 first = self._nodes[name][2]
@@ -119,16 +122,8 @@ class FieldResolver:
                 continue
             first, second = by_name[low], by_name[high]
             is_number = isinstance(first.type, (Scalar, Quantity))
-            if (
-                first is second
-                or not is_number
-                or (first.type, first.dim, first.count)
-                != (
-                    second.type,
-                    second.dim,
-                    second.count,
-                )
-            ):
+            one, other = ((f.type, f.dim, f.count) for f in (first, second))
+            if first is second or not is_number or one != other:
                 hint = "a rule is about two fields that hold numbers of the same type, equally many"
                 self.found.add(at, "SBGC026", f"'{low}' and '{high}' cannot be compared", hint)
                 continue
@@ -219,7 +214,7 @@ class FieldResolver:
     ) -> tuple[Field, ...]:
         """Resolve a list of fields; `include(node)` returns the fields of another message."""
         result: list[Field] = []
-        reserved = 0
+        reserved: list[int] = []  # the places of unnamed bytes
         offset: int | None = 0
         broken_before = len(self._broken)
         for node in nodes:
@@ -230,24 +225,22 @@ class FieldResolver:
                 added = [one] if one else []
             for field in added:
                 if field.spec_name == "RESERVED" and field.reserved:
-                    reserved += 1
+                    reserved.append(len(result))
                 if field.offset != offset:
                     field = replace(field, offset=offset)
                 size = None if field.is_variable else field.size
                 offset = None if offset is None or size is None else offset + size
                 result.append(field)
-        if reserved > 1:
-            result = _number_reserved(result)
+        for number, at in enumerate(reserved if len(reserved) > 1 else (), 1):
+            result[at] = replace(result[at], name=f"reserved_{number}")
         self._check_names(result, broken_before, owner)
         self._check_former_names(result, owner)
-        self._check_order(result, owner)
-        return tuple(_mark_counters(result))
-
-    def _with_typical(self, field: Field, node: Map) -> Field:
-        if "typical" not in node:
-            return field
-        typical = self.examples.typical(field, node["typical"], node.at("typical"))
-        return replace(field, typical=typical)
+        for field, following in zip(result, result[1:]):
+            if field.dim == "rest":
+                message = f"'{field.name}' of {owner} takes the rest of the body but is not last"
+                self.found.add(following.at, "SBGC027", message, "move it to the end")
+        counters = {f.counter for f in result if f.has_hidden_counter}
+        return tuple(replace(f, is_counter=True) if f.name in counters else f for f in result)
 
     def _field(
         self,
@@ -262,9 +255,8 @@ class FieldResolver:
         text = "RESERVED" if shorthand else str(node.get("name", ""))
         at = node.at("reserved" if shorthand else "name")
         name = parse_field_name(text)
-        type_ = (
-            Blob("bytes", node["reserved"]) if shorthand else self._type(node, tuple(earlier), name)
-        )
+        type_: Type | None = Blob("bytes", node["reserved"]) if shorthand else None
+        type_ = type_ or self._type(node, tuple(earlier), name)
         if name is None or type_ is None:
             self._broken_field(name, node, at, text, owner)
             return None
@@ -308,12 +300,18 @@ class FieldResolver:
             **extent,
         )
         self._check_default(field, node, text)
-        self._check_use(field, node, in_struct)
+        if "used_when" in node and (in_struct or field.may_be_absent):
+            hint = "it is for a field of a message that is always present"
+            message = f"'{field.name}' cannot have 'used_when'"
+            self.found.add(node.at("used_when"), "SBGC026", message, hint)
         if field.constant:
             value = Fraction(field.default)
             field = replace(field, minimum=value, maximum=value)
         field = replace(field, later=self.later.later(node, field))
-        return self._with_typical(field, node)
+        if "typical" in node:
+            typical = self.examples.typical(field, node["typical"], node.at("typical"))
+            field = replace(field, typical=typical)
+        return field
 
     def _broken_field(
         self, name: FieldName | None, node: Map, at: Position, text: str, owner: str
@@ -436,12 +434,6 @@ class FieldResolver:
             at = node.at("default")
             self.found.add(at, "SBGC017", f"the default of {text} is out of range", hint)
 
-    def _check_use(self, field: Field, node: Map, in_struct: bool) -> None:
-        if "used_when" in node and (in_struct or field.may_be_absent):
-            hint = "it is for a field of a message that is always present"
-            text = f"'{field.name}' cannot have 'used_when'"
-            self.found.add(node.at("used_when"), "SBGC026", text, hint)
-
     def _counting(self, node: Map, counter: str, earlier: list[Field]) -> str:
         """The counting method of a list's counter."""
         words = [key for key in ("counted_in", "counted_from") if key in node]
@@ -520,19 +512,6 @@ class FieldResolver:
                     self.found.add(alias.at, "SBGC012", text, hint)
                 taken.setdefault(alias.name, f"a former name of '{field.name}'")
 
-    def _check_order(self, fields: list[Field], owner: str) -> None:
-        for field, following in zip(fields, fields[1:]):
-            if field.dim == "rest":
-                message = f"'{field.name}' of {owner} takes the rest of the body but is not last"
-                self.found.add(following.at, "SBGC027", message, "move it to the end")
-
-
-def _inline_structs(spec: Spec) -> Iterator[tuple[str, Map]]:
-    for family, nodes in spec.maps.items():
-        for node in nodes:
-            if "struct" in node and "fields" in node:
-                yield family, node
-
 
 def _counter_part(counter: Field | None, index: str) -> Part | None:
     """The part of a packed counter that NAME[COUNTER.part] refers to."""
@@ -540,19 +519,3 @@ def _counter_part(counter: Field | None, index: str) -> Part | None:
     if counter is None or not isinstance(counter.type, Packed):
         return None
     return next((part for part in counter.type.parts if part.name == wanted), None)
-
-
-def _number_reserved(fields: list[Field]) -> list[Field]:
-    result = []
-    number = 0
-    for field in fields:
-        if field.reserved and field.spec_name == "RESERVED":
-            number += 1
-            field = replace(field, name=f"reserved_{number}")
-        result.append(field)
-    return result
-
-
-def _mark_counters(fields: list[Field]) -> list[Field]:
-    counters = {f.counter for f in fields if f.has_hidden_counter}
-    return [replace(f, is_counter=True) if f.name in counters else f for f in fields]

@@ -54,10 +54,8 @@ class RevisionResolver:
 
     def _addition(self, text: str, at: Position) -> Addition | None:
         if text not in self.known:
-            hint = (
-                did_you_mean(text, self.known)
-                or "the name of a command, Message, Message.path or Enum.VALUE"
-            )
+            hint = "the name of a command, Message, Message.path or Enum.VALUE"
+            hint = did_you_mean(text, self.known) or hint
             self.found.add(at, "SBGC021", f"a revision adds '{text}', which does not exist", hint)
         return self.known.get(text)
 

@@ -92,10 +92,9 @@ class RoleResolver:
             hint = did_you_mean(wanted, by_name) or f"known here: {', '.join(by_name) or 'none'}"
             self.found.add(node.at(part), "SBGC037", f"'{wanted}' is not a field here", hint)
             return None
-        problem = (
-            "" if field.offset is not None and not field.may_be_absent else "has no fixed offset"
-        )
-        problem = problem or self._why_not(str(node["is"]), part, field)
+        problem = self._why_not(str(node["is"]), part, field)
+        if field.offset is None or field.may_be_absent:
+            problem = "has no fixed offset"
         if problem:
             hint = f"{part}: a field that every body of the message has"
             self.found.add(node.at(part), "SBGC037", f"'{wanted}' {problem}", hint)
@@ -120,10 +119,8 @@ class RoleResolver:
             is_version = is_one and type_ == self.versions.of(part)
             return "" if is_version else f"is not of the type that 'versions' names for {part}"
         if part == "serial_number":
-            is_run = is_one and isinstance(type_, Blob) and type_.kind == "bytes"
-            return (
-                "" if is_run and field.size is not None else "is not a run of bytes of fixed size"
-            )
+            is_run = isinstance(type_, Blob) and type_.kind == "bytes" and field.size is not None
+            return "" if is_one and is_run else "is not a run of bytes of fixed size"
         return "" if isinstance(type_, Quantity) and is_one else "is not a quantity"
 
     def _stream_role(self, node: Map, role: Role) -> Role | None:
@@ -160,12 +157,8 @@ class RoleResolver:
                 other is not message and message.role.kind != "error"
             ):
                 text = f"{message.name} has the role of {other.name}: {message.role.kind}"
-                self.found.add(
-                    message.role.at,
-                    "SBGC037",
-                    text,
-                    f"see {other.role.at if other.role else other.at}",
-                )
+                hint = f"see {other.role.at if other.role else other.at}"
+                self.found.add(message.role.at, "SBGC037", text, hint)
             elif other.role and other is not message:
                 codes = [role.parts.get("code") for role in (other.role, message.role)]
                 types = [code.type if code else None for code in codes]

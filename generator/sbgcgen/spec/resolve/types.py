@@ -361,9 +361,8 @@ class TypeResolver(Entries):
         if mask & ~whole or mask == 0:
             message = f"the bits of '{name}' do not fit into {scalar.name}"
             at = node.at("bits" if "bits" in node else "mask")
-            self.found.add(
-                at, "SBGC016", message, f"they are counted from 0 to {8 * scalar.size - 1}"
-            )
+            hint = f"they are counted from 0 to {8 * scalar.size - 1}"
+            self.found.add(at, "SBGC016", message, hint)
             mask &= whole
         quantity = self.types.quantities.get(str(node.get("type", "")))
         enum = None

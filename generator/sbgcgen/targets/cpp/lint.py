@@ -216,9 +216,5 @@ def _check_framing(framing: Framing, nodes: Map, found: Diagnostics) -> None:
     parts = (*framing.header, BODY)
     if trailer and trailer.covers != parts[-len(trailer.covers) :]:
         text = f"'{trailer.name}' does not cover the body, or the parts from one on up to the body"
-        found.add(
-            node["checksums"].at(trailer.name),
-            "SBGC069",
-            text,
-            f"their order is {', '.join(parts)}",
-        )
+        hint = f"their order is {', '.join(parts)}"
+        found.add(node["checksums"].at(trailer.name), "SBGC069", text, hint)

@@ -24,16 +24,6 @@ TAKEN = frozenset(
 )
 
 
-def check_names(layout: Layout, found: Diagnostics) -> None:
-    """Report types and messages that are impossible in the modules; findings go into `found`."""
-    structs = (s for family in layout.families for s in family.structs)
-    things: list[Enum | Packed | Struct | Message] = [*layout.enums, *layout.packed, *structs]
-    for thing in (*things, *layout.messages):
-        if thing.name in TAKEN or keyword.iskeyword(thing.name):
-            text = f"'{thing.name}' is a type of the library"
-            found.add(thing.at, "SBGC022", text, "choose another name, for a message with 'as'")
-
-
 class Python(Target):
     """Modules of the package `sbgc.msg`, and the blocking client; python/ has the rest of the package."""
 
@@ -60,4 +50,10 @@ class Python(Target):
         return reference_of(project)
 
     def lint(self, spec: Spec, layout: Layout, found: Diagnostics) -> None:
-        check_names(layout, found)
+        """Report types and messages that are impossible in the modules."""
+        structs = (s for family in layout.families for s in family.structs)
+        things: list[Enum | Packed | Struct | Message] = [*layout.enums, *layout.packed, *structs]
+        for thing in (*things, *layout.messages):
+            if thing.name in TAKEN or keyword.iskeyword(thing.name):
+                text = f"'{thing.name}' is a type of the library"
+                found.add(thing.at, "SBGC022", text, "choose another name, for a message with 'as'")

@@ -64,20 +64,10 @@ class Revisions:
         return self.of("message", "", message.name) or self.of("command", "", message.command)
 
 
-@dataclass(frozen=True)
-class Capture:
-    """Bytes for trying the decoder: docs/captures/<name>.hex, the format of `sbgc decode --hex`."""
-
-    title: str
-    text: str
-
-
-def captures_in(folder: Path) -> list[Capture]:
-    """The captures, sorted by file name; the title is the name in words."""
-    return [
-        Capture(name_of(path.stem).replace("-", " ").capitalize(), path.read_text("utf-8"))
-        for path in sorted(folder.glob("*.hex"))
-    ]
+def captures_in(folder: Path) -> dict[str, str]:
+    """Bytes for trying the decoder by title, in the format of `sbgc decode --hex`: docs/captures/<title>.hex."""
+    paths = sorted(folder.glob("*.hex"))
+    return {name_of(p.stem).replace("-", " ").capitalize(): p.read_text("utf-8") for p in paths}
 
 
 def view_of(site: Target, layout: Layout, project: Path) -> View:
@@ -237,13 +227,10 @@ class _Prose:
         )
 
     def __call__(self, text: str, root: str) -> Markup:
-        parts = self.known.split(text)
-        result = Markup()
-        for part in parts:
+        result, link = Markup(), Markup('<a href="{}">{}</a>')
+        for part in self.known.split(text):
             page = self.pages.get(part)
-            result += (
-                Markup('<a href="{}">{}</a>').format(root + page, part) if page else escape(part)
-            )
+            result += link.format(root + page, part) if page else escape(part)
         return Markup(re.sub(r"`([^`]+)`", r"<code>\1</code>", str(result)))
 
 
@@ -252,11 +239,9 @@ class _Prose:
 
 def breakable_word(name: str) -> Markup:
     """A name that may be too long for the menu, with break opportunities between its words."""
-    longest = 22
-    text = escape(name)
-    return (
-        Markup(re.sub(r"(?<=[a-z0-9_])(?=[A-Z])", "<wbr>", text)) if len(name) > longest else text
-    )
+    if len(name) <= 22:
+        return escape(name)
+    return Markup(re.sub(r"(?<=[a-z0-9_])(?=[A-Z])", "<wbr>", escape(name)))
 
 
 def plain(value: Fraction) -> str:
