@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Any, Optional
@@ -50,6 +51,7 @@ class Choice:
     most one round and changes none. `forced` has values of fields by path, `lengths` those of lists and texts. Other
     lists are long enough for all edge values, or minimal if `short`. The body ends before the field `ends_before`. With
     `fits`, it has the optional field. If `typical`, all values except those in `example` are ordinary.
+    Composing finds how many `rounds` the free and the conditional fields need, and the `numbers` with a name in them.
     """
 
     places: Places
@@ -65,10 +67,8 @@ class Choice:
     typical: bool = False
     example: Fields = field(default_factory=dict)
     chosen: list[tuple[str, str]] = field(default_factory=list)
-    rounds_of_free: int = 1
-    rounds_of_conditional: int = 1
-    named_of_free: set[int] = field(default_factory=set)
-    named_of_conditional: set[int] = field(default_factory=set)
+    rounds: dict[str, int] = field(default_factory=lambda: {"free": 1, "conditional": 1})
+    numbers: dict[str, set[int]] = field(default_factory=lambda: defaultdict(set))
 
     def why(self) -> str:
         """A description of the chosen values, or only of the round if it would be too long."""
@@ -293,12 +293,9 @@ class _Composer:
         """The edge value of the round, which differs between neighbors."""
         choice = self.choice
         number, found, names = choice.places.at(path, member, type_)
-        if self.conditional:
-            choice.rounds_of_conditional = max(choice.rounds_of_conditional, len(found))
-            choice.named_of_conditional |= names
-        else:
-            choice.rounds_of_free = max(choice.rounds_of_free, len(found))
-            choice.named_of_free |= names
+        kind = "conditional" if self.conditional else "free"
+        choice.rounds[kind] = max(choice.rounds[kind], len(found))
+        choice.numbers[kind] |= names
         if choice.named is not None and names:
             value = with_number(type_, choice.named + self.element)
             choice.chosen.append((path, str(value)))

@@ -39,38 +39,32 @@ def decode(message: Message, body: bytes, context: Fields | None = None) -> Fiel
     a request becomes its tail. If the body may repeat its context, the first of the two that fits the
     body exactly is used; otherwise the context that is required to be repeated.
     """
-    context = context or {}
+    tries, usual = _contexts_of(message, body, context or {})
+    for known in tries:
+        try:
+            values = _decode(message, body, known)
+        except CodecError:
+            continue
+        if "tail" not in values:
+            return values
+    return _decode(message, body, usual)
+
+
+def _contexts_of(message: Message, body: bytes, context: Fields) -> tuple[list[Fields], Fields]:
+    """The contexts to try, and the one that counts if none of them fits exactly."""
     if any(field.fits and not field.fits_rest for field in message.fields):
-        return _decode_fitting(message, body, context)
+        return [{**context, FITS: fits} for fits in (False, True)], context
     repeats = next((f for f in message.fields if f.repeats_context), None)
     if repeats is None or repeats.when is None:
-        return _decode(message, body, context)
+        return [], context
     when, at, size = repeats.when, message.body.fixed_size, repeats.size or 0
     given = int(context.get(when.source, 0))
     own = int.from_bytes(body[at : at + size], "little") if len(body) >= at + size else 0
-    tries = [given & ~when.mask, *([own] if when.holds(own) else [])]
+    flags = [given & ~when.mask, *([own] if when.holds(own) else [])]
     if when.holds(given):
-        tries.reverse()
-    for flags in tries:
-        try:
-            values = _decode(message, body, {**context, when.source: flags})
-        except CodecError:
-            continue
-        if "tail" not in values:
-            return values
-    return _decode(message, body, {**context, when.source: tries[0]})
-
-
-def _decode_fitting(message: Message, body: bytes, context: Fields) -> Fields:
-    """Decode a body without its optional last field, or with it if only that fits exactly."""
-    for fits in (False, True):
-        try:
-            values = _decode(message, body, {**context, FITS: fits})
-        except CodecError:
-            continue
-        if "tail" not in values:
-            return values
-    return _decode(message, body, context)
+        flags.reverse()
+    tries = [{**context, when.source: one} for one in flags]
+    return tries, tries[0]
 
 
 def _decode(message: Message, body: bytes, context: Fields) -> Fields:

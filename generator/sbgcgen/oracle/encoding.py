@@ -121,9 +121,7 @@ def _write_counter(
         raise CodecError("presence_mismatch", counted.name, writer.at)
     value = values[counted.name]
     count = counter_of(counted, value)
-    if count < 0:
-        raise CodecError("count_mismatch", name, writer.at)
-    if values.get(counter.name, count) != count:
+    if count < 0 or values.get(counter.name, count) != count:
         raise CodecError("count_mismatch", name, writer.at)
     _write_value(counter.type, count, writer, name)
 
@@ -137,9 +135,9 @@ def counter_of(counted: Field, value: Any) -> int:
 
 
 def _write_field(field: Field, value: Any, writer: _Writer, name: str, around: Fields) -> None:
+    value = bytes.fromhex(value) if is_bytes(field) else value
     if field.counter and not field.has_hidden_counter:
-        count = len(value) // 2 if is_bytes(field) else len(value)
-        if count != field.counted(int(around[field.counter])):
+        if len(value) != field.counted(int(around[field.counter])):
             raise CodecError("count_mismatch", name, writer.at)
     if field.dim == "one":
         if isinstance(field.type, Struct) and field.type.is_region:
@@ -158,26 +156,28 @@ def _write_field(field: Field, value: Any, writer: _Writer, name: str, around: F
         if list(value) != list(keys_of(field)):
             raise CodecError("presence_mismatch", name, writer.at)
         _write_all(field, list(value.values()), writer, name)
-    elif isinstance(field.type, Announced):
-        _check_count(field, len(value), name, writer)
+    else:
+        _write_list(field, value, writer, name)
+
+
+def _write_list(field: Field, value: Any, writer: _Writer, name: str) -> None:
+    fits = field.min_count <= len(value) <= field.capacity
+    if not fits if field.dim != "fixed" else len(value) != field.count:
+        raise CodecError("count_mismatch", name, writer.at)
+    if isinstance(field.type, Announced):
         for number in value:
             for word, element in number.items():
                 _write_value(SCALARS[word], element, writer, name)
     elif is_bytes(field):
-        data = bytes.fromhex(value)
-        _check_count(field, len(data), name, writer)
-        writer.put(data, name)
+        writer.put(value, name)
     elif field.type == SCALARS["u8"]:  # written at once, so all of them fit or none
-        _check_count(field, len(value), name, writer)
         try:
             writer.put(bytes(map(int, value)), name)
         except (OverflowError, ValueError):
             raise CodecError("value_out_of_range", name, writer.at) from None
     elif field.has_grown_elements:
-        _check_count(field, len(value), name, writer)
         _write_grown(field, value, writer, name)
     else:
-        _check_count(field, len(value), name, writer)
         _write_all(field, value, writer, name)
 
 
@@ -202,12 +202,6 @@ def _write_all(field: Field, elements: list[Any], writer: _Writer, name: str) ->
         _write_value(field.type, element, inner, name)
     if inner is not writer:
         writer.put(bytes(inner.data), name)
-
-
-def _check_count(field: Field, count: int, name: str, writer: _Writer) -> None:
-    fits = field.min_count <= count <= field.capacity
-    if not fits if field.dim != "fixed" else count != field.count:
-        raise CodecError("count_mismatch", name, writer.at)
 
 
 def _hex(text: str, size: int | None, name: str, writer: _Writer) -> bytes:

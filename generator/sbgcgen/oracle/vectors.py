@@ -310,11 +310,11 @@ class _Maker:
         """The choices for all values of the free or conditional fields; use each one immediately."""
         last = self.choice(**case)
         yield last
-        named = set(getattr(last, f"named_of_{kind}"))
-        while last.round + 1 < getattr(last, f"rounds_of_{kind}"):
+        named = set(last.numbers[kind])
+        while last.round + 1 < last.rounds[kind]:
             last = self.choice(round=last.round + 1, **case)
             yield last
-            named |= getattr(last, f"named_of_{kind}")
+            named |= last.numbers[kind]
         for number in sorted(named):
             yield self.choice(round=number, named=number, **case)
 

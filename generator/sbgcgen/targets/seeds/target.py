@@ -105,10 +105,8 @@ def _various(message: Message) -> Iterator[bytes]:
     yield b"\xff" * message.min_size
     first = Choice(Places(), short=True, context=full_context(message))
     compose(message, first)
-    rounds: list[tuple[int, int | None]] = [
-        (number, None) for number in range(first.rounds_of_free)
-    ]
-    rounds += [(number, number) for number in sorted(first.named_of_free)]
+    rounds: list[tuple[int, int | None]] = [(n, None) for n in range(first.rounds["free"])]
+    rounds += [(number, number) for number in sorted(first.numbers["free"])]
     most = len(rounds) if message.max_size <= _SMALL else _MOST_ROUNDS
     for round, named in rounds[:most]:
         choice = Choice(first.places, round, named, first.context, short=True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from html import unescape
 
 from sbgcgen.model import Layout, Message, Struct
@@ -29,13 +29,11 @@ class Mention:
 class Related:
     """The messages and guides that belong to a message, each once."""
 
-    exchange: list[Message] = field(default_factory=list)  # requests and answers
-    structs: list[Message] = field(default_factory=list)  # with parts of the same types
-    family: list[Message] = field(default_factory=list)
-    guides: list[Mention] = field(default_factory=list)
-    tasks: list[str] = field(
-        default_factory=list
-    )  # command lines that send it, or another form of it
+    exchange: list[Message]  # requests and answers
+    structs: list[Message]  # with parts of the same types
+    family: list[Message]
+    guides: list[Mention]
+    tasks: list[str]  # command lines that send it, or another form of it
 
 
 class Relations:

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
 
-from sbgcgen.model import Availability, Enum, Layout, Message, Packed, Quantity, Type
+from sbgcgen.model import Availability, Enum, Field, Layout, Message, Packed, Quantity, Type
 from sbgcgen.model.names import slug
 from sbgcgen.views.rows import rows_of
 
@@ -106,14 +106,17 @@ def _of_message(message: Message, found: References) -> None:
         since = message.since.later(row.since)
         use = Use("field", f"{message.name} · {row.path}", f"{page}#field-{row.first}", since)
         found.of_errata(row.field.errata, use)
-        type_: Type = row.field.type
-        if isinstance(type_, (Enum, Packed, Quantity)):
-            found.of_type(type_.name, use)
-        if row.field.alternative:
-            found.of_type(row.field.alternative.quantity.name, use)
-        for later in row.field.later:
-            if isinstance(later.type, (Enum, Packed, Quantity)):
-                found.of_type(later.type.name, use)
+        for type_, _ in _types_of(row.field):
+            if isinstance(type_, (Enum, Packed, Quantity)):
+                found.of_type(type_.name, use)
+
+
+def _types_of(field_: Field) -> Iterator[tuple[Type, Availability]]:
+    """The types of a field, with the first versions of its later ones."""
+    yield field_.type, Availability()
+    if field_.alternative:
+        yield field_.alternative.quantity, Availability()
+    yield from ((later.type, later.since) for later in field_.later)
 
 
 def _kind(type_: Enum | Packed | Quantity) -> str:
@@ -142,11 +145,8 @@ def availability_of_types(layout: Layout) -> dict[str, Availability]:
     for message in layout.messages:
         for row in rows_of(message):
             since = message.since.later(row.since)
-            add(row.field.type, since)
-            if row.field.alternative:
-                add(row.field.alternative.quantity, since)
-            for later in row.field.later:
-                add(later.type, since.later(later.since))
+            for type_, later in _types_of(row.field):
+                add(type_, since.later(later))
         for context in message.contexts:
             add(context.type, message.since)
     for variable in layout.variables:
