@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shutil
 from pathlib import Path
 
 import pytest
@@ -13,7 +12,7 @@ from sbgcgen.cli import main
 from sbgcgen.compat.changes import Level
 from sbgcgen.compat.severities import compare
 from sbgcgen.compat.report import describe
-from support import PROJECT, Capture, commit, git, start_repository, write_spec
+from support import Capture, commit, git, start_repository, write_spec
 
 
 def old_spec(folder: Path) -> Path:
@@ -76,19 +75,9 @@ def test_every_class_has_its_line_and_position(tmp_path: Path, capsys: Capture) 
     assert lines[-1] == "1 wire-breaking, 1 meaning-breaking, 1 source-breaking, 2 compatible"
 
 
-def test_a_deletion_has_its_position_in_the_old_spec(tmp_path: Path, capsys: Capture) -> None:
-    old, new = old_spec(tmp_path / "old"), edited_spec(
-        tmp_path / "new", OLD, CASES["command deleted"].edits
-    )
-    assert main(["compat", str(old), str(new)]) == 1
-    line = line_of("  CMD_MOVE:")
-    assert f"[{old}/probe.yaml:{line}:3]" in capsys.readouterr().out
-
-
 def test_a_compatible_change_passes(tmp_path: Path) -> None:
-    old, new = old_spec(tmp_path / "old"), edited_spec(
-        tmp_path / "new", OLD, CASES["field added at a kept tail"].edits
-    )
+    old = old_spec(tmp_path / "old")
+    new = edited_spec(tmp_path / "new", OLD, CASES["field added at a kept tail"].edits)
     assert main(["compat", str(old), str(new)]) == 0
 
 
@@ -164,15 +153,3 @@ def test_a_spec_folder_of_another_name(repository: Path, capsys: Capture) -> Non
 def test_an_unknown_revision(repository: Path, capsys: Capture, revision: str, words: str) -> None:
     assert main(["compat", "--root", str(repository), revision]) == 2
     assert words in capsys.readouterr().err
-
-
-@pytest.mark.parametrize("arguments", [["a", "b", "c"], ["--depth", "1"]])
-def test_wrong_usage(arguments: list[str]) -> None:
-    with pytest.raises(SystemExit) as stopped:
-        main(["compat", *arguments])
-    assert stopped.value.code == 2
-
-
-def test_the_real_spec_is_compatible_with_itself(tmp_path: Path) -> None:
-    shutil.copytree(PROJECT / "spec", tmp_path / "spec")
-    assert main(["compat", str(tmp_path / "spec"), str(PROJECT / "spec")]) == 0

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from edits import OLD, WITHOUT_AIM, line_of
+from edits import OLD
 from sbgcgen.build import load_layout
 from sbgcgen.cli import main
 from sbgcgen.compat import reading
@@ -136,15 +136,6 @@ def test_a_revision_in_another_language(project: Path, capsys: Capture) -> None:
     write_spec(project, OLD.replace("id: 11", "id: 21"))
     assert main(["compat", "--root", str(project), "v1"]) == 1
     assert "wire-breaking: command CMD_MOVE: id: 11 → 21" in capsys.readouterr().out
-
-
-def test_a_deletion_has_its_place_in_the_old_language(project: Path, capsys: Capture) -> None:
-    write_spec(project, WITHOUT_AIM)
-    assert main(["compat", "--root", str(project), "v1"]) == 1
-    line = line_of("  CMD_AIM:")
-    assert (
-        f"command CMD_AIM: 15 → deleted  [v1:spec/probe.yaml:{line}:3]" in capsys.readouterr().out
-    )
 
 
 def test_a_revision_that_its_own_generator_refuses(project: Path, capsys: Capture) -> None:

@@ -8,11 +8,8 @@ import pytest
 
 from edits import CASES, OLD, WITHOUT_AIM, line_of
 from sbgcgen import library
-from sbgcgen.build import load_layout
 from sbgcgen.cli import main
-from sbgcgen.compat.severities import compare
-from sbgcgen.compat.release import NAME, Release, Step, Version, fingerprint_of, lowest_version
-from sbgcgen.compat.release import parse, read, write
+from sbgcgen.compat.release import NAME, Step, Version, lowest_version, parse, read
 from support import PROJECT, Capture, write_spec
 
 SAME = OLD
@@ -118,16 +115,6 @@ def test_without_a_release_there_is_nothing_to_compare(tmp_path: Path, capsys: C
 
 
 # The record
-
-
-def test_a_release_is_read_as_it_was_written(tmp_path: Path) -> None:
-    layout = load_layout(PROJECT / "spec")
-    file = tmp_path / NAME
-    write(Release(Version(1, 2, 3), fingerprint_of(layout), layout), file)
-    again = read(file)
-    assert again == Release(Version(1, 2, 3), fingerprint_of(layout), layout)
-    assert fingerprint_of(again.layout) == again.fingerprint
-    assert compare(again.layout, layout) == []
 
 
 def test_the_record_of_a_version_is_not_replaced(project: Path, capsys: Capture) -> None:

@@ -9,7 +9,7 @@ import pytest
 
 from sbgcgen.build import load_layout
 from sbgcgen.cli import main
-from sbgcgen.targets import outputs, target
+from sbgcgen.targets import target
 from support import BASE, Capture, files_in, layout_of, run_generator, write_spec
 
 
@@ -55,11 +55,6 @@ def test_guides_are_pages(tmp_path: Path) -> None:
         ("guides/first.html", "First"),
         ("guides/second.html", "Second &amp; last"),
     ]
-
-
-def test_site_is_no_part_of_generated(tmp_path: Path) -> None:
-    names = outputs(layout_of(tmp_path, BASE), tmp_path)
-    assert not any(name.endswith((".html", ".css")) for name in names)
 
 
 def test_command_writes_and_cleans(tmp_path: Path, capsys: Capture) -> None:

@@ -26,23 +26,6 @@ def test_json_says_what_the_standard_library_reads(value: Any) -> None:
     assert json.loads(to_json({"a": value, "b": [value]})) == {"a": value, "b": [value]}
 
 
-def test_json_has_a_line_for_each_object_of_a_list() -> None:
-    enums = [{"name": "A", "values": [{"raw": 0}, {"raw": 1}], "size": 1}, {"name": "B", "of": {}}]
-    assert to_json({"version": [1, 2], "enums": enums}).splitlines() == [
-        "{",
-        '  "version": [1, 2],',
-        '  "enums": [',
-        '    {"name": "A",',
-        '      "values": [',
-        '        {"raw": 0},',
-        '        {"raw": 1}',
-        '      ], "size": 1},',
-        '    {"name": "B", "of": {}}',
-        "  ]",
-        "}",
-    ]
-
-
 def test_directions_are_a_sentence() -> None:
     pitch = AxisDirection("PITCH", "down", "up", ())
     roll = AxisDirection("ROLL", None, None, ())
