@@ -45,6 +45,13 @@ class Map(dict[str, Any]):
         """The position of `key`, or that of the mapping if it has no such key."""
         return self.keys_at.get(key, self.position)
 
+    def listed(self, key: str) -> list[tuple[Any, Position]]:
+        """The items under `key` with their positions: those of a list, a single value, or none."""
+        value = self.get(key, ())
+        if isinstance(value, List):
+            return list(zip(value, value.items_at))
+        return [(value, self.at(key))] if key in self else []
+
 
 class List(list[Any]):
     """A sequence with its own position and those of its items."""

@@ -122,8 +122,10 @@ def recover_shape(spec: Spec, found: Diagnostics) -> Recovery | None:
         errors = list(shape_errors(recovery.spec))
         if not errors:
             return recovery
-        if any(_is_about_files(spec, error) for error in errors):
-            return None
+        for error in errors:  # one may be the reason that a family was not read
+            is_in_main = error.content.position.file == spec.main.position.file
+            if is_in_main and list(error.error.absolute_path)[:1] in ([], ["families"]):
+                return None
         for error in errors:
             if recovery.is_news(error):
                 add_shape_error(error, found)
@@ -131,13 +133,6 @@ def recover_shape(spec: Spec, found: Diagnostics) -> Recovery | None:
             if not recovery.repair(error):
                 return None
     return None
-
-
-def _is_about_files(spec: Spec, error: ShapeError) -> bool:
-    """True if the error may be the reason that a family was not read."""
-    return error.content.position.file == spec.main.position.file and (
-        error.path[1:2] in ((), ("families",))
-    )
 
 
 def recover_syntax(recovery: Recovery, after_recovery: Diagnostics) -> bool:

@@ -33,11 +33,6 @@ class ShapeError:
         return str(self.error.validator)
 
     @property
-    def path(self) -> tuple[str, ...]:
-        """The path to the node, beginning with the file."""
-        return (self.content.position.file, *(str(step) for step in self.error.absolute_path))
-
-    @property
     def step(self) -> Any:
         """The last step of the path."""
         return self.error.absolute_path[-1]
@@ -50,19 +45,11 @@ class ShapeError:
         return list(self.error.schema.get("properties", {}))
 
     @property
-    def patterns(self) -> list[str]:
-        """Patterns of allowed keys that have no fixed names."""
-        return list(self.error.schema.get("patternProperties", {}))
-
-    @property
     def unknown(self) -> list[str]:
-        """The keys that are not allowed."""
-        known, patterns = self.known, self.patterns
-        return [
-            key
-            for key in self.node
-            if key not in known and not any(re.search(pattern, key) for pattern in patterns)
-        ]
+        """The keys that are neither known nor fit a pattern."""
+        patterns = self.error.schema.get("patternProperties", {})
+        others = [key for key in self.node if key not in self.known]
+        return [key for key in others if not any(re.search(pattern, key) for pattern in patterns)]
 
     @property
     def missing(self) -> str:
@@ -194,7 +181,7 @@ def _report_unknown_keys(shape: ShapeError, found: Diagnostics) -> None:
             hint = "put an ordinary space after the colon"
         elif shape.node[key] is None and not re.fullmatch(r"[A-Za-z_]+", key):
             hint = "a comma separates keys here: put quotes around a text that contains one"
-        elif shape.patterns:
+        elif "patternProperties" in shape.error.schema:
             hint = str(shape.error.schema.get("propertyNames", {}).get("description", ""))
         found.add(shape.node.at(key), "SBGC004", f"unknown key '{key}'", hint)
 

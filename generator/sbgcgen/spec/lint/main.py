@@ -8,7 +8,7 @@ from itertools import chain
 
 from sbgcgen.model import Position
 from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
-from sbgcgen.spec.load import List, Map, Spec, maps_in
+from sbgcgen.spec.load import Map, Spec, maps_in
 
 _LINE = re.compile(r"\bL([0-9]+)\b")
 
@@ -77,8 +77,7 @@ def _places(spec: Spec) -> Iterator[tuple[str, Position]]:
         if isinstance(node.get("source"), str):
             yield node["source"], node.at("source")
     for node in spec.errata.get("errata", Map()).values():
-        lines = node.get("lines", List())
-        yield from zip(map(str, lines), lines.items_at if isinstance(lines, List) and lines else ())
+        yield from ((str(line), at) for line, at in node.listed("lines"))
 
 
 def _check_guides(spec: Spec, found: Diagnostics) -> None:

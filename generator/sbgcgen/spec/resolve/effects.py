@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Any
 
 from sbgcgen.model import READS, UNKNOWN, USUAL_EFFECTS, Effect, EffectCase, EffectKind, Field
 from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
-from sbgcgen.spec.load import List, Map, Spec
+from sbgcgen.spec.load import Map, Spec
 from sbgcgen.spec.resolve.references import ReferenceResolver
 
 
@@ -42,12 +41,9 @@ class EffectResolver:
         return Effect(tuple(cases), self.kinds)
 
     def _words(self, owner: Map, key: str) -> tuple[str, ...]:
-        said: Any = owner[key]
         known = [kind.word for kind in self.kinds]
-        places = said.items_at if isinstance(said, List) else [owner.at(key)]
-        words = tuple(said) if isinstance(said, list) else (said,)
-        for word, at in zip(words, places):
+        for word, at in owner.listed(key):
             if word not in known:
                 hint = did_you_mean(word, known) or f"one of: {', '.join(known)}"
                 self.found.add(at, "SBGC062", f"there is no effect '{word}'", hint)
-        return words
+        return tuple(word for word, _ in owner.listed(key))

@@ -7,7 +7,7 @@ from typing import Any
 from sbgcgen.model import Alias, Availability, Deprecation, Identifier, Position
 from sbgcgen.model.names import is_name, snake_case
 from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
-from sbgcgen.spec.load import List, Map, Spec
+from sbgcgen.spec.load import Map, Spec
 from sbgcgen.spec.resolve.versions import KINDS, VersionReader
 
 
@@ -27,14 +27,12 @@ class Entries:
 
     def errata(self, node: Map) -> tuple[str, ...]:
         """The errata numbers of a node; reports those that do not exist."""
-        numbers = node.get("errata", [])
         known = self.spec.errata.get("errata", {})
-        for index, number in enumerate(numbers):
+        for number, at in node.listed("errata"):
             if number not in known:
-                at = numbers.items_at[index] if isinstance(numbers, List) else node.position
                 hint = did_you_mean(str(number), known) or "add it to spec/errata.yaml"
                 self.found.add(at, "SBGC023", f"there is no erratum {number}", hint)
-        return tuple(str(n) for n in numbers)
+        return tuple(str(number) for number, _ in node.listed("errata"))
 
     def availability(self, node: Map, key: str = "since") -> Availability:
         """The versions under `key`, as numbers on the wire and as text."""
@@ -83,11 +81,10 @@ class Entries:
 
     def aliases(self, node: Map, prefix: str = "") -> tuple[Alias, ...]:
         """The former names, with their identifiers."""
-        names = node.get("was", [])
         at = node.at("was")
         return tuple(
-            Alias(self.identifier(snake_case(name.removeprefix(prefix)), at), at, name)
-            for name in map(str, names if isinstance(names, list) else [names])
+            Alias(self.identifier(snake_case(str(name).removeprefix(prefix)), at), at, str(name))
+            for name, _ in node.listed("was")
         )
 
     def identifier(self, name: str, at: Position) -> str:

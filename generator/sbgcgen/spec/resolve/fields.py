@@ -112,7 +112,7 @@ class FieldResolver:
         """The rules across fields of a struct or message."""
         by_name = {f.spec_name: f for f in fields}
         result = []
-        for text, at in zip(node.get("rules", []), getattr(node.get("rules"), "items_at", [])):
+        for text, at in node.listed("rules"):
             low, sign, high = str(text).split()
             unknown = [name for name in (low, high) if name not in by_name]
             for name in unknown:

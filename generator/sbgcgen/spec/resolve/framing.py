@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from sbgcgen.model import BODY, CHECKSUM_SIZES, ID, SIZE, START, Checksum, Crc, Framing, Position
+from sbgcgen.model import BODY, CHECKSUM_SIZES, ID, SIZE, START, Checksum, Crc, Framing
 from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
-from sbgcgen.spec.load import List, Map
+from sbgcgen.spec.load import Map
 from sbgcgen.spec.resolve.entries import Entries
 
 # The largest value of the size byte.
@@ -105,11 +105,8 @@ def _check_parts(framing: Framing, node: Map, found: Diagnostics) -> None:
     """Every part must have exactly one position, and the start byte must be first."""
     names = [checksum.name for checksum in framing.checksums]
     header = [START, ID, SIZE, *names]
-    for key, parts, known in (
-        ("header", framing.header, header),
-        ("trailer", framing.trailer, names),
-    ):
-        for part, at in zip(parts, _places(node, key)):
+    for key, known in (("header", header), ("trailer", names)):
+        for part, at in node.listed(key):
             if part not in known:
                 hint = did_you_mean(part, known) or f"known here: {', '.join(known) or 'none'}"
                 found.add(at, "SBGC069", f"'{part}' is not a part of the {key}", hint)
@@ -118,7 +115,7 @@ def _check_parts(framing: Framing, node: Map, found: Diagnostics) -> None:
                 found.add(at, "SBGC069", text, "each part has one place")
     if framing.header[0] != START:
         text = "a frame does not begin with its start byte"
-        found.add(_places(node, "header")[0], "SBGC069", text, "put 'start' first")
+        found.add(node.listed("header")[0][1], "SBGC069", text, "put 'start' first")
     for part in (ID, SIZE):
         if part not in framing.header:
             text = f"the header does not have '{part}'"
@@ -134,25 +131,18 @@ def _check_checksums(framing: Framing, nodes: Map, found: Diagnostics) -> None:
             found.add(nodes.at(name), "SBGC069", text, "give the checksum another name")
         elif name in framing.header:
             before = framing.header[: framing.header.index(name)]
-            _check_covered(name, checksum.covers, before, node, found)
+            _check_covered(name, before, node, found)
         elif name in framing.trailer:
             before = (*framing.header, BODY, *framing.trailer[: framing.trailer.index(name)])
-            _check_covered(name, checksum.covers, before, node, found)
+            _check_covered(name, before, node, found)
         else:
             hint = "name it in 'header' or 'trailer'"
             found.add(nodes.at(name), "SBGC069", f"'{name}' has no place in a frame", hint)
 
 
-def _check_covered(
-    name: str, covers: tuple[str, ...], before: tuple[str, ...], node: Map, found: Diagnostics
-) -> None:
-    for part, at in zip(covers, _places(node, "covers")):
+def _check_covered(name: str, before: tuple[str, ...], node: Map, found: Diagnostics) -> None:
+    for part, at in node.listed("covers"):
         if part not in before:
             text = f"'{part}' is not before '{name}', which covers it"
             hint = did_you_mean(part, before) or f"before it: {', '.join(before)}"
             found.add(at, "SBGC069", text, hint)
-
-
-def _places(node: Map, key: str) -> list[Position]:
-    items = node[key]
-    return items.items_at if isinstance(items, List) else []

@@ -10,7 +10,7 @@ from sbgcgen.model import Command, Enum, Erratum, Family, Layout, Line, Message,
 from sbgcgen.model import Topic
 from sbgcgen.model.names import snake_case
 from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
-from sbgcgen.spec.load import List, Map, Spec
+from sbgcgen.spec.load import Map, Spec
 from sbgcgen.spec.resolve.answers import AnswerResolver
 from sbgcgen.spec.resolve.effects import EffectResolver
 from sbgcgen.spec.resolve.fields import FieldResolver
@@ -64,7 +64,7 @@ def topics_of(nodes: Map, messages: list[Message], found: Diagnostics) -> Iterat
     filed: set[str] = set()
     for name, node in nodes.items():
         patterns = node["fields"]
-        for pattern, at in zip(patterns, patterns.items_at):
+        for pattern, at in node.listed("fields"):
             if not any(fnmatchcase(parameter, pattern) for parameter in parameters):
                 hint = did_you_mean(pattern, list(parameters)) or "a * stands for any characters"
                 found.add(at, "SBGC080", f"'{pattern}' is the name of no parameter", hint)
@@ -152,9 +152,9 @@ class _Resolver:
 
     def _feature_sets(self) -> tuple[Enum, ...]:
         """The flag sets of board features."""
-        names = self.spec.main.get("features", List())
+        names = self.spec.main.listed("features")
         found = []
-        for name, at in zip(names, getattr(names, "items_at", [])):
+        for name, at in names:
             flags = self.types.enum_named(str(name), at)
             if flags is not None and flags.kind != "flags":
                 hint = "each feature is a flag that boards report"
@@ -163,7 +163,7 @@ class _Resolver:
                 found.append(flags)
         if sum(flags.scalar.size for flags in found) > 8:
             text = "the board features have more than 64 bits"
-            self.found.add(names.items_at[-1], "SBGC017", text, "name smaller flag sets")
+            self.found.add(names[-1][1], "SBGC017", text, "name smaller flag sets")
         return tuple(found)
 
     def _errata(self) -> list[Erratum]:

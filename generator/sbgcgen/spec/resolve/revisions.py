@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from sbgcgen.model import Addition, Command, Enum, Message, Position, Revision
 from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
-from sbgcgen.spec.load import List, Spec
+from sbgcgen.spec.load import Spec
 
 
 class RevisionResolver:
@@ -40,9 +40,7 @@ class RevisionResolver:
         """All revisions, the oldest first."""
         nodes = spec.main.get("revisions", {})
         for number, node in nodes.items():
-            adds = node.get("adds", List())
-            places = adds.items_at if isinstance(adds, List) and adds else []
-            found = [self._addition(str(name), at) for name, at in zip(adds, places)]
+            found = [self._addition(str(name), at) for name, at in node.listed("adds")]
             yield Revision(
                 number=number,
                 date=str(node["date"]),

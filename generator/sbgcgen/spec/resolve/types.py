@@ -431,8 +431,7 @@ class TypeResolver(Entries):
                     self.found.add(at, "SBGC028", message, hint)
             former = dict.fromkeys(own)
             for _, name, node, _ in self.spec.entries(section):
-                names = node.get("was", [])
-                for old in map(str, names if isinstance(names, list) else [names]):
+                for old in (str(old) for old, _ in node.listed("was")):
                     if old in former:
                         message = (
                             f"the former name '{old}' of {name} belongs to another, or to itself"

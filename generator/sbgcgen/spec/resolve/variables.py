@@ -5,13 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
-from typing import Any
 
 from sbgcgen.model import SCALARS, Enum, Leaf, Message, Position, Quantity, Scalar, Variable
 from sbgcgen.model import VariableSetting
 from sbgcgen.model.names import snake_case
 from sbgcgen.spec.diagnostics import Diagnostics, Mistake, did_you_mean
-from sbgcgen.spec.load import List, Map
+from sbgcgen.spec.load import Map
 from sbgcgen.spec.resolve.types import TypeResolver
 
 _WIDEST = SCALARS["i32"]  # type of a variable's value in messages
@@ -72,7 +71,7 @@ class VariableResolver:
         self, node: Map, quantity: Quantity | None, limits: tuple[int, int]
     ) -> Iterator[VariableSetting]:
         """The settings under `sets`, without those that a variable of this quantity cannot set."""
-        for text, at in _paths(node):
+        for text, at in node.listed("sets"):
             with self.found.at(at):
                 message, leaf = self._place(text)
                 scalar = self._number(text, message, leaf)
@@ -157,14 +156,6 @@ def _check_values(text: str, setting: VariableSetting, limits: tuple[int, int]) 
     if not _is_told(setting):
         problem = f"not every value of '{text}' fits into a variable"
         raise Mistake("SBGC044", problem, f"the value of a variable is sent as {_WIDEST.name}")
-
-
-def _paths(node: Map) -> list[tuple[str, Position]]:
-    """The paths under `sets` with their positions."""
-    sets: Any = node.get("sets", [])
-    if isinstance(sets, List):
-        return [(str(path), at) for path, at in zip(sets, sets.items_at)]
-    return [(str(sets), node.at("sets"))] if sets else []
 
 
 def _integer(leaf: Leaf) -> Scalar | None:
