@@ -68,7 +68,6 @@ def _contexts_of(message: Message, body: bytes, context: Fields) -> tuple[list[F
 
 
 def _decode(message: Message, body: bytes, context: Fields) -> Fields:
-    """Decode a body with a known context."""
     fixed = message.body.fixed_part
     size = message.body.fixed_size
     has_surplus = message.takes_surplus and len(body) > message.max_size

@@ -81,9 +81,8 @@ class Example:
 
     def changed_bytes(self, piece: Piece) -> dict[int, int]:
         """The bytes of a run that differ from those in `read`, if it has as many, by index."""
-        before = (
-            next(p.data for p in self.read.pieces if p.path == piece.path) if self.read else b""
-        )
+        pieces = self.read.pieces if self.read else ()
+        before = next((p.data for p in pieces if p.path == piece.path), b"")
         is_run = isinstance(piece.type, Blob) and piece.type.kind == "bytes"
         if not is_run or len(before) != len(piece.data):
             return {}
@@ -138,10 +137,8 @@ def example_of(message: Message, layout: Layout) -> Example:
     pieces = tuple(taker.fields(message.fields, vector.fields, _Place()))
     assert taker.at == len(vector.body), f"{message.name}: {taker.at} of {len(vector.body)} bytes"
     before = tuple(
-        Earlier(
-            earlier["direction"], write_frame(framing, earlier["id"], bytes.fromhex(earlier["hex"]))
-        )
-        for earlier in vector_line.get("after", ())
+        Earlier(one["direction"], write_frame(framing, one["id"], bytes.fromhex(one["hex"])))
+        for one in vector_line.get("after", ())
     )
     return Example(
         message=message,

@@ -36,7 +36,6 @@ def stream_lines(layout: Layout) -> Iterator[str]:
 
 
 def _mixed(framings: Sequence[Framing]) -> Iterator[tuple[bytes, str]]:
-    """Streams with frames of all framings."""
     good = [_short_frame(framing) for framing in framings]
     yield b"".join(good), "a frame of each framing"
     yield b"".join(bytes((f.start,)) for f in framings) + b"".join(

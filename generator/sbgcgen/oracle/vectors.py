@@ -368,7 +368,6 @@ def _counts(member: Field, size: int) -> list[int]:
 
 
 def _with(fields: Fields, path: str, value: int) -> Fields:
-    """The fields with another value at a path."""
     steps = re.findall(r"\w+", path)
     result = copy.deepcopy(fields)
     found: Any = result

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 from sbgcgen.model import BODY, ID, SIZE, START, Crc, Framing
@@ -83,26 +84,13 @@ def _part(framing: Framing, part: str, at: str) -> FramePart:
     return FramePart(at, part_name(part), f"{size} byte{'s' if size > 1 else ''}", words[part])
 
 
-@dataclass(frozen=True)
-class Sum:
-    """A checksum in a frame, with the bytes that it covers."""
-
-    name: str
-    covered: bytes
-    value: int
-
-
-def sums_in(frame: bytes, framing: Framing) -> list[Sum]:
+def sums_in(frame: bytes, framing: Framing) -> Iterator[tuple[str, bytes, int]]:
+    """The name of each checksum in a frame, the bytes that it covers, and its value."""
     body_end = len(frame) - framing.trailer_size
     parts = {BODY: frame[framing.header_size : body_end]}
     for part in (*framing.header, *framing.trailer):
         begin = framing.place(part) + (0 if part in framing.header else body_end)
         parts[part] = frame[begin : begin + framing.size_of(part)]
-    return [
-        Sum(
-            part_name(checksum.name),
-            b"".join(parts[part] for part in checksum.covers),
-            int.from_bytes(parts[checksum.name], "little"),
-        )
-        for checksum in framing.checksums
-    ]
+    for checksum in framing.checksums:
+        covered = b"".join(parts[part] for part in checksum.covers)
+        yield part_name(checksum.name), covered, int.from_bytes(parts[checksum.name], "little")

@@ -64,7 +64,6 @@ def _lists(value: list[Any], pool: list[Any]) -> Iterator[Any]:
 
 
 def items(value: list[Any], chosen: list[int]) -> List:
-    """Returns a list of some items of another."""
     result = List(value[i] for i in chosen)
     result.position = value.position  # type: ignore[attr-defined]
     result.items_at = [value.items_at[i] for i in chosen]  # type: ignore[attr-defined]
@@ -72,12 +71,10 @@ def items(value: list[Any], chosen: list[int]) -> List:
 
 
 def without(node: Any, key: str) -> Map:
-    """Returns a mapping without a key."""
     return mapping(node, {k: v for k, v in node.items() if k != key})
 
 
 def mapping(like: Any, content: dict[str, Any]) -> Map:
-    """Returns a mapping at the position of another."""
     result = Map(content)
     result.position = like.position
     result.keys_at = {k: like.keys_at.get(k, like.position) for k in content}

@@ -70,7 +70,6 @@ class Made:
 
     @cached_property
     def vectors(self) -> dict[str, bytes]:
-        """The test vectors."""
         return self.files("vectors")
 
     def is_documented_like(self, other: Made) -> bool:

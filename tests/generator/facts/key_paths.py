@@ -50,7 +50,6 @@ def validator(schema: Schema) -> Any:
 
 
 def key_paths() -> set[str]:
-    """Returns all key paths of the schema."""
     found: set[str] = set()
     done: set[str] = set()
 

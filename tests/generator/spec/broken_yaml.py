@@ -70,7 +70,6 @@ def _walk(node: Any, seen: set[int] | None = None) -> Iterator[Any]:
 
 
 def _any(chance: random.Random, root: Any, *kinds: type) -> Any:
-    """A random node of these kinds."""
     return chance.choice([node for node in _walk(root) if isinstance(node, kinds or yaml.Node)])
 
 
@@ -162,7 +161,6 @@ def _odd(chance: random.Random, root: Any) -> None:
 
 
 def _number(chance: random.Random, root: Any) -> None:
-    """Another number in a text."""
     nodes = [node for node in _walk(root) if isinstance(node, yaml.ScalarNode)]
     node = chance.choice([node for node in nodes if re.search("[0-9]", node.value)])
     number = chance.choice(("0", "-1", "1", "256", "70000", str(2**31), str(2**64), "9" * 400))

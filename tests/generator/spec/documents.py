@@ -204,7 +204,6 @@ class Model:
         return found
 
     def messages_of(self, command: str, direction: str) -> list[Json]:
-        """Returns the messages of a command in a direction."""
         return [m for m in self.messages if (m["command"], m["direction"]) == (command, direction)]
 
 

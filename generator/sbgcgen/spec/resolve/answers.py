@@ -8,11 +8,10 @@ from typing import Any
 
 from sbgcgen.model import Answer, AnswerCase, CorrelationField, Enum, Field
 from sbgcgen.model import OptionalPart, Message, Position, Response, Result, Struct, scalar_of
-from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
-from sbgcgen.spec.load import List, Map, Spec
+from sbgcgen.spec.diagnostics import did_you_mean
+from sbgcgen.spec.load import List, Map
 from sbgcgen.spec.resolve.fields import FieldResolver
 from sbgcgen.spec.resolve.roles import RoleResolver
-from sbgcgen.spec.resolve.types import TypeResolver
 
 # Limits of the runtime.
 MAX_CORRELATION_FIELDS = 2
@@ -20,19 +19,14 @@ MAX_RESPONSES = 2
 
 
 class AnswerResolver:
-    """Resolves the `answer` of messages; findings go into `found`.
+    """Resolves the `answer` of messages: answer() needs the message's own fields, settle() all messages."""
 
-    answer() needs the message's own fields, settle() all messages.
-    """
-
-    def __init__(
-        self, spec: Spec, types: TypeResolver, fields: FieldResolver, found: Diagnostics
-    ) -> None:
-        self.types = types
+    def __init__(self, fields: FieldResolver) -> None:
+        self.types = fields.types
         self.fields = fields
-        self.roles = RoleResolver(types.versions.versions, found)
-        self.found = found
-        self.defaults = spec.main.get("defaults", {})
+        self.found = fields.found
+        self.roles = RoleResolver(self.types.versions.versions, self.found)
+        self.defaults = fields.spec.main.get("defaults", {})
         self.nodes: dict[Position, Map] = {}  # resolved nodes, for positions of their keys
 
     def answer(self, node: Any, name: str, fields: tuple[Field, ...], at: Position) -> Answer:

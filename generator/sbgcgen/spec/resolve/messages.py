@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
 from sbgcgen.model import Availability, Command, Context, Field, Message, Position, Struct, Until
 from sbgcgen.model.names import camel_case, form_suffix
-from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
+from sbgcgen.spec.diagnostics import did_you_mean
 from sbgcgen.spec.load import Map, empty_map
 from sbgcgen.spec.resolve.answers import AnswerResolver
 from sbgcgen.spec.resolve.contexts import announceable_types, context_of
@@ -15,7 +16,6 @@ from sbgcgen.spec.resolve.effects import EffectResolver
 from sbgcgen.spec.resolve.sizes import confused, max_size, may_grow, min_size, total_size
 from sbgcgen.spec.resolve.fields import FieldResolver
 from sbgcgen.spec.resolve.leaves import leaves
-from sbgcgen.spec.resolve.types import TypeResolver
 
 DIRECTIONS = ("from_board", "to_board")
 
@@ -41,23 +41,22 @@ class _Draft:
         """The node with a property: that of the form, or else of its direction."""
         return self.node if key in self.node else self.parent
 
+    def inherited(self, read: Callable[[Map], Any]) -> Any:
+        """What is said about the form, or else about its direction or command."""
+        return read(self.node) or read(self.parent) or read(self.entry)
+
 
 class MessageResolver:
     """Collects drafts of all messages first, because any message may need the body of another."""
 
     def __init__(
-        self,
-        types: TypeResolver,
-        fields: FieldResolver,
-        answers: AnswerResolver,
-        effects: EffectResolver,
-        found: Diagnostics,
+        self, fields: FieldResolver, answers: AnswerResolver, effects: EffectResolver
     ) -> None:
         self.effects = effects
-        self.types = types
+        self.types = fields.types
         self.fields = fields
         self.answers = answers
-        self.found = found
+        self.found = fields.found
         self.drafts: dict[tuple[str, str], _Draft] = {}
         self.done: dict[tuple[str, str], Message] = {}
         self.open: list[str] = []
@@ -138,11 +137,7 @@ class MessageResolver:
         contexts = tuple(context_of(c, self.types) for c in draft.get("context", []))
         same_as = str(draft.get("same_as", ""))
         both = (draft.name, _other(draft.direction)) in self.drafts
-        since = (
-            self.types.availability(draft.node)
-            or self.types.availability(draft.parent)
-            or draft.command.since
-        )
+        since = draft.inherited(self.types.availability)
         body = self._body(draft, contexts, same_as, both, since)
         original = self._original(draft, same_as)
         self.open.pop()
@@ -167,9 +162,7 @@ class MessageResolver:
             form=draft.form,
             family=draft.command.family,
             since=since,
-            needs=self.types.needs(draft.node)
-            or self.types.needs(draft.parent)
-            or draft.command.needs,
+            needs=draft.inherited(self.types.needs),
             body=body,
             same_as=same_as if same_as != draft.name else "",
             in_both_directions=both,
@@ -197,9 +190,7 @@ class MessageResolver:
             "source": str(source),
             "errata": tuple(dict.fromkeys(errata)),
             "until": self._until(draft),
-            "deprecated": self.types.deprecation(draft.node)
-            or self.types.deprecation(draft.parent)
-            or self.types.deprecation(draft.entry),
+            "deprecated": draft.inherited(self.types.deprecation),
             "preparation": " ".join(str(draft.get("preparation", "")).split()),
             "unconfirmed": bool(draft.get("unconfirmed", False)) or draft.command.unconfirmed,
         }
@@ -237,19 +228,15 @@ class MessageResolver:
             if (d.command, d.direction) == (draft.command, draft.direction) and d is not draft
         }
         if wanted and wanted not in forms:
-            hint = (
-                did_you_mean(wanted, [f for f in forms if f]) or "name another form of the command"
-            )
-            at = node.at("instead")
-            self.found.add(at, "SBGC021", f"{draft.command.name} has no form '{wanted}'", hint)
+            hint = did_you_mean(wanted, filter(None, forms)) or "name another form of the command"
+            text = f"{draft.command.name} has no form '{wanted}'"
+            self.found.add(node.at("instead"), "SBGC021", text, hint)
         return Until(versions, forms.get(wanted, "") if wanted else "", node.position)
 
     def _original(self, draft: _Draft, same_as: str) -> Message | None:
         """The other message that defines the body of this one."""
-        for direction in DIRECTIONS if same_as != draft.name else ():
-            if (same_as, direction) in self.drafts:
-                return self._message(self.drafts[same_as, direction])
-        return None
+        keys = [(same_as, direction) for direction in DIRECTIONS if same_as != draft.name]
+        return next((self._message(self.drafts[k]) for k in keys if k in self.drafts), None)
 
     def _settle_tails(self, messages: list[Message]) -> list[Message]:
         """Let only the longest of several forms keep a tail, because size distinguishes the others.

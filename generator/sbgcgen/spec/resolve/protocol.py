@@ -87,11 +87,11 @@ class _Resolver:
         self.types.run()
         self.framings = framings_of(spec.main["framings"], self.types, found)
         self.fields = FieldResolver(spec, self.types, found, self.framings[0].max_body)
-        self.answers = AnswerResolver(spec, self.types, self.fields, found)
+        answers = AnswerResolver(self.fields)
         self.line = line_of(spec.main.get("line"), self.types, found)
         self.commands = [self._command(*entry) for entry in spec.entries("commands")]
         effects = EffectResolver(spec, self.fields.references, found)
-        self.messages = MessageResolver(self.types, self.fields, self.answers, effects, found)
+        self.messages = MessageResolver(self.fields, answers, effects)
 
     def run(self) -> Layout:
         for command, (_, _, node, _) in zip(self.commands, self.spec.entries("commands")):

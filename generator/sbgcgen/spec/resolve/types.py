@@ -313,7 +313,6 @@ class TypeResolver(Entries):
         )
 
     def _display(self, name: str, node: Map, parts: set[str]) -> str:
-        """The display text in a node."""
         display = str(node.get("display", ""))
         literal = re.sub(r"\{\w+(:[0-9]+)?\}", "", display)
         if not re.fullmatch(r"[^][{}]*(\[[^][{}]*\][^][{}]*)*", literal):

@@ -82,14 +82,6 @@ def check_names(spec: Spec, layout: Layout, found: Diagnostics) -> None:
             text = f"'{part.name}' is a member that every packed integer has"
             found.add(part.at, "SBGC022", text, "give the part another name")
     _check_flags(layout.enums, types, found)
-    protocol = spec.main["protocol"]
-    if not can_be_a_name(str(protocol.get("namespace", "sbgc"))):
-        text = f"'{protocol['namespace']}' cannot be a name in C++"
-        found.add(protocol.at("namespace"), "SBGC022", text, "choose another namespace")
-    for kind in layout.effects:
-        if not can_be_a_name(kind.word):
-            text = f"'{kind.word}' cannot be a name in C++"
-            found.add(spec.main["effects"].at(kind.word), "SBGC022", text, "choose another word")
     for framing in () if found.any_of(("SBGC069",)) else layout.framings:
         _check_framing(framing, spec.main["framings"], found)
 
@@ -103,6 +95,10 @@ def _all_names(spec: Spec, layout: Layout) -> Iterator[tuple[Position, str, str]
         yield identifier.at, identifier.name, "give another one with 'as'"
     for message in layout.messages:
         yield message.at, message.name, "give the message another one with 'as'"
+    protocol, effects = spec.main["protocol"], spec.main.get("effects", {})
+    namespace = str(protocol.get("namespace", "sbgc"))
+    yield protocol.at("namespace"), namespace, "choose another namespace"
+    yield from ((effects.at(word), word, "choose another word") for word in effects)
 
 
 def _forms(spec: Spec) -> Iterator[tuple[str, Position]]:
