@@ -114,7 +114,9 @@ class _Lists:
                 where = "in reserved bytes"
             elif place[: len(end) - 1] != end[:-1] or not is_behind:
                 where, level = "in between", WIRE
-            elif open_ended or field.optional or field.appended or _may_be_empty(field):
+            elif open_ended or field.optional or field.appended or field.dim == "rest":
+                where = "at the end"
+            elif field.when is not None and field.when.may_be_missing:
                 where = "at the end"
             else:
                 where, level = "at the end, where no tail is accepted", WIRE
@@ -191,10 +193,6 @@ def _by_name(fields: Fields) -> dict[tuple[str, int], Field]:
 
 def _is_padding(field: Field) -> bool:
     return field.reserved and isinstance(field.type, Blob)
-
-
-def _may_be_empty(field: Field) -> bool:
-    return field.dim == "rest" or (field.when is not None and field.when.may_be_missing)
 
 
 def _is_within(field: Field, other: Field) -> bool:

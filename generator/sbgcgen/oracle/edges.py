@@ -8,7 +8,7 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Any
 
-from sbgcgen.model import Blob, Enum, Field, Packed, Part, Scalar, Type
+from sbgcgen.model import Blob, Enum, Field, Packed, Scalar, Type
 from sbgcgen.oracle.codec import scalar_of
 from sbgcgen.oracle.json_values import float_from_bits, float_to_bits, integer_of, text_from_bytes
 
@@ -36,11 +36,10 @@ def edges(field: Field, type_: Type) -> list[Edge]:
     if isinstance(type_, Blob):
         return _blob_edges(type_)
     scalar = scalar_of(type_)
-    found = (
-        _float_edges(field, scalar.size)
-        if scalar.is_float
-        else _integer_edges(field, type_, scalar)
-    )
+    if scalar.is_float:
+        found = _float_edges(field, scalar.size)
+    else:
+        found = _integer_edges(field, type_, scalar)
     unique: dict[str, Edge] = {}
     for name, value in found:
         whole = integer_of(value, scalar.size) if isinstance(value, int) else value
@@ -61,9 +60,11 @@ def _float_edges(field: Field, size: int) -> list[Edge]:
 
 def _integer_edges(field: Field, type_: Type, scalar: Scalar) -> list[Edge]:
     found: list[Edge] = []
-    if isinstance(type_, Packed):
-        found = [edge for part in type_.parts if not part.is_digits for edge in _part_edges(part)]
-        found = [(name, _signed(value, scalar)) for name, value in found]
+    for part in type_.parts if isinstance(type_, Packed) else ():
+        if not part.is_digits:
+            found.append((f"all bits of {part.name}", _signed(part.bits, scalar)))
+        if part.sign:
+            found.append((f"the sign of {part.name}", _signed(part.sign, scalar)))
     limits = [
         ("min", field.minimum),
         ("max", field.maximum),
@@ -73,13 +74,6 @@ def _integer_edges(field: Field, type_: Type, scalar: Scalar) -> list[Edge]:
     found += [(name, int(Fraction(value))) for name, value in limits if value is not None]
     found += [(special.meaning, special.value) for special in field.special]
     return found + [("0", 0), ("1", 1)]
-
-
-def _part_edges(part: Part) -> list[Edge]:
-    found: list[Edge] = [(f"all bits of {part.name}", part.bits)]
-    if part.sign:
-        found.append((f"the sign of {part.name}", part.sign))
-    return found
 
 
 def named_numbers(type_: Type) -> frozenset[int]:

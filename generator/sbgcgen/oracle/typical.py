@@ -128,9 +128,5 @@ def _inside(low: Fraction, high: Fraction, is_narrow: bool, type_: Type, place: 
         value = low + (most - low) * share
     if not isinstance(type_, Quantity) or type_.ratio:
         return round(value)
-    return round(type_.raw(_round(type_.real(value))))
-
-
-def _round(value: Fraction) -> Fraction:
-    """The value with two significant digits."""
-    return Fraction(f"{float(value):.1e}")
+    two_digits = Fraction(f"{float(type_.real(value)):.1e}")
+    return round(type_.raw(two_digits))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from sbgcgen.spec.diagnostics import Diagnostics
-from sbgcgen.model import Announced, Blob, Context, Enum, Field, Layout, Message, Packed, Part
+from sbgcgen.model import Announced, Blob, Context, Enum, Field, Layout, Message, Packed
 from sbgcgen.model import Quantity, Scalar, Struct
 from sbgcgen.model.names import is_name, parse_lines
 from sbgcgen.spec.resolve.sizes import size_of
@@ -214,8 +214,9 @@ def _counter_problem(counter: Field | None, field: Field, counted: set[str]) -> 
     if counter is None:
         return "it is not in the same list"
     if field.counter and not field.has_hidden_counter:
-        if field.counter_part is not None and not _is_count(field.counter_part):
-            return f"its part '{field.counter_part.name}' is not an unsigned number"
+        part = field.counter_part
+        if part is not None and (part.enum or part.quantity or part.limits[0]):
+            return f"its part '{part.name}' is not an unsigned number"
         if counter.dim != "one":
             return "it is not a single field"
         return "it is not always present" if counter.may_be_absent else ""
@@ -229,10 +230,6 @@ def _counter_problem(counter: Field | None, field: Field, counted: set[str]) -> 
     if counter.dim != "one":
         return "it is not a single field"
     return "it is not always present" if counter.when is not None else ""
-
-
-def _is_count(part: Part) -> bool:
-    return part.enum is None and part.quantity is None and part.limits[0] == 0
 
 
 # References to other fields and messages

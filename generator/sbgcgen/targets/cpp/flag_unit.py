@@ -55,18 +55,15 @@ def _paths(fields: tuple[Field, ...], path: tuple[Field, ...]) -> Iterator[tuple
 def _flag_unit(message: Message, path: tuple[Field, ...]) -> FlagUnit | None:
     field = path[-1]
     several = [i for i, step in enumerate(path) if step.dim != "one"]
-    source = next(
-        (f for f in message.fields if field.alternative and f.name == field.alternative.source),
-        None,
-    )
-    if len(several) > 1 or source is None or source.when is not None:
-        return None
     if field.alternative is None or not isinstance(field.type, Quantity):
+        return None
+    source = next((f for f in message.fields if f.name == field.alternative.source), None)
+    if len(several) > 1 or source is None or source.when is not None:
         return None
     names = [step.name for step in path]
     split = several[0] + 1 if several else 0
     list_ = path[several[0]] if several else None
-    is_own = list_ is not None and _is_alike(source, list_)
+    is_own = list_ is not None and source.dim == list_.dim and source.dim in ("axis", "xyz")
     if source.dim != "one" and not is_own:
         return None
     return FlagUnit(
@@ -79,8 +76,3 @@ def _flag_unit(message: Message, path: tuple[Field, ...]) -> FlagUnit | None:
         flags=f"{source.name}[index]" if is_own else source.name,
         is_common=list_ is not None and not is_own,
     )
-
-
-def _is_alike(one: Field, other: Field) -> bool:
-    """True if both have elements for the same indices."""
-    return one.dim == other.dim and one.dim in ("axis", "xyz")

@@ -262,7 +262,8 @@ def _dictionary(layout: Layout) -> str:
     unique: dict[bytes, str] = {}
     for name, word in words.items():
         unique.setdefault(word, name)
-    return "".join(f'{name}="{_escaped(word)}"\n' for word, name in unique.items())
+    escaped = {name: "".join(f"\\x{byte:02X}" for byte in word) for word, name in unique.items()}
+    return "".join(f'{name}="{text}"\n' for name, text in escaped.items())
 
 
 def _words_of(field: Field) -> Iterator[tuple[str, bytes]]:
@@ -276,7 +277,3 @@ def _words_of(field: Field) -> Iterator[tuple[str, bytes]]:
         size = when.enum.scalar.size if when.enum else 0
         for named in (*when.values, *when.flags, *when.any_flags, *when.no_flags):
             yield named.identifier, (named.value % (1 << 8 * size)).to_bytes(size, "little")
-
-
-def _escaped(word: bytes) -> str:
-    return "".join(f"\\x{byte:02X}" for byte in word)

@@ -340,12 +340,9 @@ class _Reader:
             return element.findall("enumvalue")
         found = []
         for member in element.iter("memberdef") if element.tag == "compounddef" else ():
-            ending = _text_of(member, "argsstring")
-            is_special = (
-                ending.endswith(("=default", "=delete")) or _text_of(member, "name")[0] == "~"
-            )
-            is_friend = member.get("kind") == "friend"
-            if member.get("prot") == "public" and not is_friend:
+            name, ending = _text_of(member, "name"), _text_of(member, "argsstring")
+            is_special = ending.endswith(("=default", "=delete")) or name[0] == "~"
+            if member.get("prot") == "public" and member.get("kind") != "friend":
                 if not is_special or self._description(member):
                     found.append(member)
         return sorted(found, key=_location)
@@ -358,7 +355,10 @@ class _Reader:
         if element.tag == "enumvalue":
             return Markup(escape(f"{name} {_text_of(element, 'initializer')}".rstrip()))
         if kind in ("class", "struct"):
-            bases = [self._base(base) for base in element.findall("basecompoundref")]
+            bases = [
+                self._reference(base, re.sub(r"sbgc::|(?<=<) | (?=>)", "", base.text or ""))
+                for base in element.findall("basecompoundref")
+            ]
             derived = Markup(" : ") + Markup(", ").join(bases) if bases else Markup()
             return template + Markup(f"{kind} {name}") + derived
         if kind == "concept":
@@ -382,9 +382,6 @@ class _Reader:
                 return start
             return start + escape(value if value[0] == "{" else f" {value}")
         return start + self._arguments(element, len(start.striptags()))
-
-    def _base(self, element: Element) -> Markup:
-        return self._reference(element, re.sub(r"sbgc::|(?<=<) | (?=>)", "", element.text or ""))
 
     def _template(self, element: Element) -> Markup:
         found = element.find("templateparamlist")

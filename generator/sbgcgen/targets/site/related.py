@@ -59,11 +59,13 @@ class Relations:
             seen.update(m.name for m in fresh)
             return fresh
 
+        names = (message.name, message.command)
+        mentions = [mention for name in names for mention in self._mentions.get(name, ())]
         return Related(
             new(self._exchange(message)),
             new(user for name in _structs(message) for user in self._users[name]),
             new(self._neighbors(message)),
-            self._guides(message),
+            list(dict.fromkeys(mentions))[:_GUIDES],
             self._tasks_of(message),
         )
 
@@ -85,10 +87,6 @@ class Relations:
         at = family.index(self._by_name[message.name])
         nearest = sorted(range(len(family)), key=lambda i: abs(i - at))[: _NEIGHBORS + 1]
         return [family[i] for i in sorted(nearest)]
-
-    def _guides(self, message: Message) -> list[Mention]:
-        found = [*self._mentions.get(message.name, ()), *self._mentions.get(message.command, ())]
-        return list(dict.fromkeys(found))[:_GUIDES]
 
     def _tasks_of(self, message: Message) -> list[str]:
         if all(m.direction == "from_board" for m in instances(message, self._layout)):
