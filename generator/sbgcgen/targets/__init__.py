@@ -14,7 +14,6 @@ of them knows, such as the code of an example in its language, are requested fro
 
 from __future__ import annotations
 
-import inspect
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache
@@ -165,13 +164,9 @@ def _load(folder: Path) -> Optional[Target]:
     if not (folder / "target.py").is_file():
         return Target(folder) if (folder / "templates").is_dir() else None
     module = import_module(f"{__name__}.{folder.name}.target")
-    (found,) = (
-        thing
-        for _, thing in inspect.getmembers(module, inspect.isclass)
-        if issubclass(thing, Target) and thing.__module__ == module.__name__
-    )
-    made: Target = found(folder)
-    return made
+    classes = [c for c in vars(module).values() if isinstance(c, type) and issubclass(c, Target)]
+    (found,) = (c for c in classes if c.__module__ == module.__name__)
+    return found(folder)
 
 
 def outputs(layout: Layout, project: Path) -> dict[str, bytes]:

@@ -15,10 +15,6 @@ from sbgcgen.compat.report import describe
 from support import Capture, commit, git, start_repository, write_spec
 
 
-def old_spec(folder: Path) -> Path:
-    return write_spec(folder, OLD)
-
-
 def changes_between(old: Path, new: Path) -> list[tuple[Level, str]]:
     return [(c.level, describe(c)) for c in compare(load_layout(old), load_layout(new))]
 
@@ -39,7 +35,7 @@ def test_another_prefix_of_commands_breaks_no_program(tmp_path: Path) -> None:
     for path in new.iterdir():
         text = path.read_text(encoding="utf-8").replace("CMD_", "CM_")
         path.write_text(text.replace("protocol:", "protocol:\n  command_prefix: CM_"), "utf-8")
-    found = changes_between(old_spec(tmp_path / "old"), new)
+    found = changes_between(write_spec(tmp_path / "old", OLD), new)
     assert {level for level, _ in found} == {Level.COMPATIBLE}
     assert any("prefix of commands: CMD_ → CM_" in text for _, text in found)
 
@@ -53,7 +49,7 @@ def test_what_was_appended_must_stay_optional(tmp_path: Path) -> None:
 
 
 def test_nothing_changed(tmp_path: Path, capsys: Capture) -> None:
-    old, new = old_spec(tmp_path / "old"), old_spec(tmp_path / "new")
+    old, new = write_spec(tmp_path / "old", OLD), write_spec(tmp_path / "new", OLD)
     assert main(["compat", str(old), str(new)]) == 0
     nothing = "0 wire-breaking, 0 meaning-breaking, 0 source-breaking, 0 compatible\n"
     assert capsys.readouterr().out == nothing
@@ -65,7 +61,7 @@ def test_every_class_has_its_line_and_position(tmp_path: Path, capsys: Capture) 
         ("unit: deg,", "unit: rad,"),
         ("name: COUNT,  ", "name: TIMES,  "),
     ]
-    old = old_spec(tmp_path / "old")
+    old = write_spec(tmp_path / "old", OLD)
     new = edited_spec(tmp_path / "new", OLD, [*edits, ("range: -100..100", "range: -110..110")])
     assert main(["compat", str(old), str(new)]) == 1
     lines = capsys.readouterr().out.splitlines()
@@ -76,13 +72,13 @@ def test_every_class_has_its_line_and_position(tmp_path: Path, capsys: Capture) 
 
 
 def test_a_compatible_change_passes(tmp_path: Path) -> None:
-    old = old_spec(tmp_path / "old")
+    old = write_spec(tmp_path / "old", OLD)
     new = edited_spec(tmp_path / "new", OLD, CASES["field added at a kept tail"].edits)
     assert main(["compat", str(old), str(new)]) == 0
 
 
 def test_a_spec_that_does_not_load(tmp_path: Path, capsys: Capture) -> None:
-    old = old_spec(tmp_path / "old")
+    old = write_spec(tmp_path / "old", OLD)
     new = edited_spec(tmp_path / "new", OLD, [("type: AxisState", "type: AxisStat")])
     assert main(["compat", str(old), str(new)]) == 1
     error = capsys.readouterr().err
@@ -98,7 +94,7 @@ def repository(tmp_path: Path) -> Path:
     root = start_repository(tmp_path / "project")
     (root / "README").write_text("nothing yet\n", encoding="utf-8")
     commit(root, "v0")
-    old_spec(root)
+    write_spec(root, OLD)
     commit(root, "v1")
     edited_spec(root, OLD, [("unit: deg,", "unit: rad,")])
     commit(root, "v2")
@@ -125,7 +121,7 @@ def test_the_project_lies_in_a_folder_of_the_repository(tmp_path: Path) -> None:
     repository = start_repository(tmp_path / "repository")
     project = repository / "some" / "project"
     project.mkdir(parents=True)
-    old_spec(project)
+    write_spec(project, OLD)
     commit(repository, "v1")
     assert main(["compat", "--root", str(project), "HEAD"]) == 0
     edited_spec(project, OLD, [("id: 11", "id: 21")])

@@ -16,20 +16,15 @@ from sbgcgen.compat import reading
 from sbgcgen.compat.severities import compare
 from sbgcgen.compat.dump import dump
 from sbgcgen.compat.reading import restore
-from sbgcgen.model import AnswerCase, Layout
+from sbgcgen.model import AnswerCase
 from support import GENERATOR, HERE, PROJECT, Capture, commit, git, start_repository, write_spec
 
 EARLIER = HERE / "compat" / "earlier_model.json"
 
 
-def restored(layout: Layout) -> Layout:
-    """Returns a model after the round trip through JSON."""
-    return restore(json.loads(json.dumps(dump(layout))))
-
-
 def test_a_model_comes_back_as_it_was() -> None:
     layout = load_layout(PROJECT / "spec")
-    again = restored(layout)
+    again = restore(json.loads(json.dumps(dump(layout))))
     assert again == layout
     assert compare(again, layout) == compare(layout, again) == []
     assert [m.at for m in again.messages] == [m.at for m in layout.messages]
@@ -98,11 +93,10 @@ def test_what_there_is_no_more_is_passed_over(tmp_path: Path) -> None:
 
 
 def test_an_answer_that_was_the_same_in_all_cases() -> None:
-    facts = {"messages": ["State"], "confirm": "never", "timeout_ms": 500, "retry_safe": True}
-    whole = [["Answer", {key: value for key, value in facts.items()}], ["Layout", {}]]
-    whole[0][1]["messages"] = {"tuple": ["State"]}  # type: ignore[index]
-    whole[1][1]["families"] = {"tuple": [{"object": 0}]}  # type: ignore[index]
-    answer: Any = restore(whole).families[0]
+    facts: dict[str, Any] = {"confirm": "never", "timeout_ms": 500, "retry_safe": True}
+    facts["messages"] = {"tuple": ["State"]}
+    families = {"families": {"tuple": [{"object": 0}]}}
+    answer: Any = restore([["Answer", facts], ["Layout", families]]).families[0]
     assert answer.messages == ("State",) and answer.timeout_ms == 500 and answer.retry_safe
     assert isinstance(answer.cases[0], AnswerCase) and answer.cases[0].when is None
 

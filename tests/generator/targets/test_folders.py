@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from sbgcgen.targets import HERE, target, targets
-from support import GENERATOR, PROJECT, files_in, run_generator, write_spec
+from support import BASE, GENERATOR, PROJECT, files_in, run_generator, write_spec
 
 NAMES = [target.name for target in targets()]
 # Packages from the lowest to the highest layer; a module uses only its own package and lower ones.
@@ -99,12 +99,7 @@ def test_a_folder_is_all_that_a_target_takes(
 
 
 def test_rules_of_a_target_are_checked(generator: Path, tmp_path: Path) -> None:
-    spec = write_spec(
-        tmp_path,
-        "family: probe\nsummary: Toys.\ncommands:\n  CMD_TOY:\n    id: 9\n    summary: A toy.\n"
-        "    from_board:\n      source: L1\n"
-        "      fields:\n        - {name: A, type: u8, summary: A number.}\n",
-    )
+    spec = write_spec(tmp_path, BASE.replace("CMD_PROBE", "CMD_TOY"))
     assert run_generator("lint", "--spec", spec, generator=generator).returncode == 0
     add_toy(generator)
     done = run_generator("lint", "--spec", spec, generator=generator)
