@@ -10,7 +10,7 @@ from typing import Any
 from sbgcgen.model import Command, Framing, Layout
 from sbgcgen.model.export.messages import message_json
 from sbgcgen.model.export.types import enum_json, former_names, given, packed_json, quantity_json
-from sbgcgen.model.export.types import told, variable_json
+from sbgcgen.model.export.types import attributes, variable_json
 
 
 def export(layout: Layout) -> dict[str, Any]:
@@ -32,27 +32,28 @@ def _model(layout: Layout) -> dict[str, Any]:
         "line": {
             "baud_rates": list(layout.line.baud_rates),
             "named_baud_rates": list(layout.line.baud_rates[: layout.line.named]),
-            **told(layout.line, "parities", "shortest_pause_ms", "longest_pause_ms"),
-            **told(layout.line, "source", "errata"),
+            **attributes(layout.line, "parities", "shortest_pause_ms", "longest_pause_ms"),
+            **attributes(layout.line, "source", "errata"),
         },
         "revisions": [
             {
-                **told(revision, "number", "date", "source"),
+                **attributes(revision, "number", "date", "source"),
                 "adds": [addition.text for addition in revision.adds],
                 "changes": list(revision.changes),
             }
             for revision in layout.revisions
         ],
         "directions": [
-            {"name": direction.axis, **told(direction, "positive", "negative", "errata")}
+            {"name": direction.axis, **attributes(direction, "positive", "negative", "errata")}
             for direction in layout.directions
         ],
         "synonyms": [list(group) for group in layout.synonyms],
         "topics": [
-            told(topic, "name", "summary", "words") | given(changes_line=topic.changes_line or None)
+            attributes(topic, "name", "summary", "words")
+            | given(changes_line=topic.changes_line or None)
             for topic in layout.topics
         ],
-        "families": [told(family, "name", "summary") for family in layout.families],
+        "families": [attributes(family, "name", "summary") for family in layout.families],
         "effects": [
             {"name": kind.word, "summary": kind.summary, "risk": kind.risk or None}
             for kind in layout.effects
@@ -65,7 +66,7 @@ def _model(layout: Layout) -> dict[str, Any]:
         "quantities": [quantity_json(quantity) for quantity in layout.quantities],
         "adjustable_variables": [variable_json(variable) for variable in layout.variables],
         "errata": [
-            told(erratum, "number", "kind", "lines", "problem", "reading")
+            attributes(erratum, "number", "kind", "lines", "problem", "reading")
             | {"reason": erratum.reason or None}
             for erratum in layout.errata
         ],
@@ -74,19 +75,19 @@ def _model(layout: Layout) -> dict[str, Any]:
 
 def _framing(framing: Framing) -> dict[str, Any]:
     return {
-        **told(framing, "name", "since", "start", "header", "trailer"),
+        **attributes(framing, "name", "since", "start", "header", "trailer"),
         "checksums": [
-            told(checksum, "name", "kind", "covers")
+            attributes(checksum, "name", "kind", "covers")
             | (asdict(checksum.crc) if checksum.crc else {})
             for checksum in framing.checksums
         ],
-        **told(framing, "header_size", "trailer_size", "max_body", "source", "errata"),
+        **attributes(framing, "header_size", "trailer_size", "max_body", "source", "errata"),
     }
 
 
 def _command(command: Command) -> dict[str, Any]:
     return {
-        **told(command, "name", "id", "family", "summary", "source", "errata", "since"),
+        **attributes(command, "name", "id", "family", "summary", "source", "errata", "since"),
         "documented": not command.undocumented,
     } | given(
         formerly=former_names(command.aliases),

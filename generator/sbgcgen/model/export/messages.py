@@ -10,7 +10,7 @@ from sbgcgen.model import Alternative, Announced, Answer, AnswerCase, Blob, Cond
 from sbgcgen.model import Effect, Enum, Field, Layout, Leaf, Message, Packed, Quantity, Role
 from sbgcgen.model import StopValue, Struct, Until, element_of, field_rules
 from sbgcgen.model.export.types import deprecation, exponential, former_names, given, later_json
-from sbgcgen.model.export.types import number, told, version
+from sbgcgen.model.export.types import number, attributes, version
 
 # Forms that users of the export may rely on.
 _FORMS = ("simple", "extended", "success", "error")
@@ -52,7 +52,7 @@ def _alternative(other: Alternative | None, path: str) -> dict[str, Any] | None:
     if other is None:
         return None
     return {
-        **told(other.quantity, "unit", "scale"),
+        **attributes(other.quantity, "unit", "scale"),
         "flag": other.flag.name,
         "field": (path.rpartition(".")[0] + "." if other.in_group else "") + other.source,
     }
@@ -128,7 +128,7 @@ def _answer(answer: Answer | None) -> dict[str, Any] | None:
     if answer is None:
         return None
     return {
-        **told(answer, "messages", "confirm", "confirmations", "timeout_ms"),
+        **attributes(answer, "messages", "confirm", "confirmations", "timeout_ms"),
         "retry": "safe" if answer.retry_safe else "unsafe",
         "certain": answer.is_certain,
         "cases": [_case(case) for case in answer.cases],
@@ -140,7 +140,7 @@ def _case(case: AnswerCase) -> dict[str, Any]:
         "when": _condition(case.when),
         "messages": list(case.messages),
         "series": case.series or None,
-        **told(case, "confirm", "confirmations", "timeout_ms"),
+        **attributes(case, "confirm", "confirmations", "timeout_ms"),
         "finish_ms": case.finish_ms or case.timeout_ms,
         "retry": "safe" if case.retry_safe else "unsafe",
         "restarts_board": case.restarts,
@@ -166,7 +166,7 @@ def _role(role: Role | None) -> dict[str, Any] | None:
     result: dict[str, Any] = {"is": role.kind}
     result.update({part: field.name for part, field in role.parts.items()})
     if role.kind == "stream_request":
-        result |= told(role, "messages", "interval_us", "end", "cycle", "cycle_us")
+        result |= attributes(role, "messages", "interval_us", "end", "cycle", "cycle_us")
         result["limit"] = role.limit or None
     if role.kind == "reset":
         result["delay_ms"] = role.delay_ms
@@ -182,7 +182,7 @@ def _effect(effect: Effect | None) -> dict[str, Any] | None:
 
 
 def _stop_value(value: StopValue) -> dict[str, Any]:
-    return told(value, "path", "value", *(["mask"] if value.mask else []))
+    return attributes(value, "path", "value", *(["mask"] if value.mask else []))
 
 
 def _context(context: Context, message: Message) -> dict[str, Any]:
@@ -196,7 +196,7 @@ def _context(context: Context, message: Message) -> dict[str, Any]:
         return {**common, "enum": enum, "from": sources}
     announced = context.announced
     place = {"announced_by": f"{announced.message}.{announced.list}"}
-    return common | place | told(announced, "kind", "count")
+    return common | place | attributes(announced, "kind", "count")
 
 
 def _groups(fields: tuple[Field, ...], path: str = "") -> Iterator[tuple[str, Field]]:
@@ -260,15 +260,15 @@ def message_json(message: Message, layout: Layout) -> dict[str, Any]:
     """A message of the layout as plain data."""
     groups = list(_groups(message.fields))
     result = {
-        **told(message, "name", "command", "id", "direction"),
+        **attributes(message, "name", "command", "id", "direction"),
         "form": _form(message.form),
         **({"form_name": message.form} if message.form else {}),
-        **told(message, "family", "summary"),
+        **attributes(message, "family", "summary"),
         "description": message.description or None,
-        **told(message, "source", "errata", "since"),
+        **attributes(message, "source", "errata", "since"),
         "until": _until(message.until),
         "deprecated": deprecation(message.deprecated),
-        **told(message, "min_size", "max_size", "keeps_tail", "takes_surplus"),
+        **attributes(message, "min_size", "max_size", "keeps_tail", "takes_surplus"),
         "same_as": message.same_as or None,
         "stores": message.stores or None,
         "effect": _effect(message.effect),

@@ -37,7 +37,7 @@ def former_names(aliases: tuple[Alias, ...]) -> list[str] | None:
     return [alias.spec_name for alias in aliases] or None
 
 
-def told(thing: Any, *names: str) -> dict[str, Any]:
+def attributes(thing: Any, *names: str) -> dict[str, Any]:
     """The attributes with these names: keys that are called as in the model."""
     return {name: _plain(getattr(thing, name)) for name in names}
 
@@ -58,9 +58,9 @@ def given(**values: Any) -> dict[str, Any]:
 def _value(value: EnumValue) -> dict[str, Any]:
     former = value.former
     return {
-        **told(value, "name", "value", "identifier"),
+        **attributes(value, "name", "value", "identifier"),
         "named_by_specification": not value.ours,
-        **told(value, "summary", "since", "errata", "number"),
+        **attributes(value, "summary", "since", "errata", "number"),
         "number_type": value.wire or None,
     } | given(
         formerly=former_names(value.aliases),
@@ -74,10 +74,10 @@ def _value(value: EnumValue) -> dict[str, Any]:
 def enum_json(enum: Enum) -> dict[str, Any]:
     """An enum or flag set as plain data."""
     return {
-        **told(enum, "name", "kind"),
+        **attributes(enum, "name", "kind"),
         "width": enum.scalar.size,
         "type": enum.scalar.name,
-        **told(enum, "summary", "source", "errata"),
+        **attributes(enum, "summary", "source", "errata"),
         "success": enum.success.name if enum.success else None,
         "values": [_value(value) for value in enum.values],
     }
@@ -89,7 +89,7 @@ def packed_json(packed: Packed) -> dict[str, Any]:
     return {
         "name": packed.name,
         "width": packed.scalar.size,
-        **told(packed, "summary", "source", "errata"),
+        **attributes(packed, "summary", "source", "errata"),
         "names": packed.names.name if packed.names else None,
         "display": packed.display or None,
         **({"later_display": later} if packed.later_display else {}),
@@ -113,7 +113,7 @@ def _part(part: Part) -> dict[str, Any]:
     )
     if part.quantity:
         result["quantity"] = part.quantity.name
-        result |= {**told(part.quantity, "unit", "scale"), **exponential(part.quantity)}
+        result |= {**attributes(part.quantity, "unit", "scale"), **exponential(part.quantity)}
     return result
 
 
@@ -150,7 +150,7 @@ def _unit(quantity: Quantity | None) -> dict[str, Any]:
     """The unit of raw * scale + add."""
     if quantity is None:
         return dict.fromkeys(("unit", "scale", "add"))
-    return {**told(quantity, "unit", "scale"), "add": number(quantity.offset)}
+    return {**attributes(quantity, "unit", "scale"), "add": number(quantity.offset)}
 
 
 def quantity_json(q: Quantity) -> dict[str, Any]:
@@ -158,9 +158,9 @@ def quantity_json(q: Quantity) -> dict[str, Any]:
     return {
         "name": q.name,
         "type": q.scalar.name,
-        **told(q, "unit", "scale"),
+        **attributes(q, "unit", "scale"),
         "scale_exact": str(q.scale),
-        **told(q, "offset"),
+        **attributes(q, "offset"),
         **exponential(q),
         "summary": q.summary,
         **({"directed": True} if q.is_directed else {}),
@@ -171,15 +171,15 @@ def quantity_json(q: Quantity) -> dict[str, Any]:
 def variable_json(variable: Variable) -> dict[str, Any]:
     """An adjustable variable and the parameters that it sets, as plain data."""
     result = {
-        **told(variable, "name", "id"),
+        **attributes(variable, "name", "id"),
         "type": variable.scalar.name,
         "min": variable.minimum,
         "max": variable.maximum,
         **_unit(variable.quantity),
-        **told(variable, "summary", "since", "errata"),
+        **attributes(variable, "summary", "since", "errata"),
         "sets": [
             {
-                **told(setting, "message", "path"),
+                **attributes(setting, "message", "path"),
                 "scale_exact": str(setting.scale),
                 "add_exact": str(setting.offset),
             }
