@@ -86,7 +86,7 @@ class Running(subprocess.Popen[str]):
     """The program while it runs; its lines can be read."""
 
     def __init__(self, *arguments: str, **options: Any) -> None:
-        pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
+        pipes: dict[str, Any] = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
         super().__init__([PROGRAM, *arguments], text=True, **pipes | options)
 
     def line(self) -> str:

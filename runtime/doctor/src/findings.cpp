@@ -80,10 +80,10 @@ class Judge {
 
   std::vector<Finding> judge() {
     judge_firmware();
+    judge_line();  // first: damage can look like other faults
     judge_errors();
     judge_calibration();
     judge_battery();
-    judge_line();
     judge_controller();
     for (std::size_t axis = 0; axis < axis_names.size(); ++axis) judge_motor(axis);
     judge_vibration();
@@ -182,7 +182,8 @@ class Judge {
              "frames arrive damaged.",
              serial, damaged),
          .advice =
-             "Use a shorter cable away from motors, connect the grounds, lower the baud rate.",
+             "Use a shorter cable away from motors, connect the grounds, lower the baud rate. "
+             "Do this first: damage can look like other faults.",
          .command = "sbgc info",
          .limit = has_damage ? Limit::damaged : Limit::serial_errors});
   }
