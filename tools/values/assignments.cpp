@@ -62,7 +62,7 @@ std::optional<double> percentage(std::string_view text) {
 
 /// Parses an amount in the unit of a number. It may lie outside the range of the number.
 double amount(const PresentNumber& present, const std::string& text) {
-  constexpr std::int64_t most = std::int64_t{1} << 53;
+  constexpr std::int64_t most = std::int64_t{1} << 53;  // exact in a double
   const FieldType type{.shape = present.is_integer ? FieldShape::integer : FieldShape::real,
                        .lowest = -most,
                        .highest = most};

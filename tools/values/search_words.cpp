@@ -38,14 +38,14 @@ constexpr std::array common_words{
 /// Words that name only the kind of a thing.
 constexpr std::array filler_words{"cmd", "command", "commands", "id", "message"};
 
-/// The words of a text, in lower case. `is_part(c)` is true for the characters of words.
+/// The words of a text. `is_part(c)` is true for the characters of words.
 template <class IsPart>
 std::vector<std::string> words_of(std::string_view text, const IsPart& is_part) {
   std::vector<std::string> result;
   std::string word;
   for (const char c : text) {
     if (is_part(c)) {
-      word += detail::lower_case(c);
+      word += c;
     } else if (!word.empty()) {
       result.push_back(std::exchange(word, {}));
     }
@@ -104,13 +104,17 @@ std::vector<std::string> significant_words(std::string_view question) {
   const auto is_part = [](char c) {
     return is_in_word(c) || static_cast<unsigned char>(c) >= 0x80;
   };
-  std::vector<std::string> words = words_of(question, is_part);
+  const bool is_all_loud = question == detail::upper_case(question);
+  std::vector<std::string> words;
   std::vector<std::string> significant;
-  std::copy_if(words.begin(), words.end(), std::back_inserter(significant), [&](const auto& word) {
-    const bool is_loud =
-        word.size() > 1 && question.find(detail::upper_case(word)) != question.npos;  // the bus CAN
-    return (is_loud || !has_word(common_words, word)) && !has_word(filler_words, word);
-  });
+  for (const std::string& typed : words_of(question, is_part)) {
+    const std::string& word = words.emplace_back(detail::lower_case(typed));
+    // The bus CAN is none of the common words.
+    const bool is_loud = !is_all_loud && word.size() > 1 && typed == detail::upper_case(typed);
+    if ((is_loud || !has_word(common_words, word)) && !has_word(filler_words, word)) {
+      significant.push_back(word);
+    }
+  }
   return significant.empty() ? words : significant;
 }
 
@@ -118,7 +122,7 @@ std::string without_fillers(std::string_view text) {
   constexpr std::string_view signs = " \t?!,;:'\"()";
   std::string result;
   for (const std::string& word :
-       words_of(text, [&](char c) { return signs.find(c) == std::string_view::npos; })) {
+       words_of(detail::lower_case(text), [&](char c) { return signs.find(c) == signs.npos; })) {
     if (has_word(filler_words, word)) continue;
     if (!result.empty()) result += ' ';
     result += word;
