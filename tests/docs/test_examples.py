@@ -6,7 +6,6 @@ import json
 import os
 import re
 import subprocess
-from collections import defaultdict
 from dataclasses import dataclass
 from math import hypot
 from itertools import takewhile
@@ -14,17 +13,15 @@ from pathlib import Path
 
 import pytest
 
-from sbgcgen.build import load_protocol
 from sbgcgen.oracle.example import Piece, example_of
 from sbgcgen.model import Enum, Layout, Message, Quantity, Scalar
 from sbgcgen.model.names import slug
 
-from conftest import PROJECT
+from conftest import LAYOUT, PROJECT
 from pages import Element, Page
 
 Pages = dict[str, Page]
 
-LAYOUT = load_protocol(PROJECT / "spec").layout
 SIDES = {side for d in LAYOUT.directions for side in (d.positive, d.negative) if side}
 
 SBGC = os.environ.get("SBGC", str(PROJECT / "build" / "release" / "tools" / "sbgc"))
@@ -354,33 +351,26 @@ def program_of(snippets: list[Snippet]) -> str:
 
 
 def test_cpp_examples(pages: Pages, layout: Layout, tmp_path: Path) -> None:
-    """One program for each family, and one for the units: it prints what the pages show."""
-    groups: dict[str, list[Snippet]] = defaultdict(list)
+    """One program, because the headers take most of the time: it prints what the pages show."""
+    snippets = []
     family = {slug(m.name): m.family for m in layout.definitions}
     for path, page in pages.items():
         if page.root.with_class("example-cpp"):
             kind, _, name = path.removesuffix(".html").partition("/")
-            groups[family[name] if kind == "messages" else kind].append(snippet_of(page))
-    assert sum(map(len, groups.values())) == len(layout.definitions) + len(layout.quantities)
-    building = {}
-    for group, snippets in groups.items():
-        source = tmp_path / f"{group}.cpp"
-        source.write_text(program_of(snippets), encoding="utf-8")
-        includes = [f"-I{PROJECT / name}" for name in ("runtime/core/include", "generated/include")]
-        command = [*COMPILER, "-std=c++20", *WARNINGS.split(), *includes, str(source)]
-        building[group] = subprocess.Popen([*command, "-o", str(source.with_suffix(""))])
-        if len(building) % 2 == 0:  # two at a time
-            for process in building.values():
-                process.wait()
-    assert [group for group, process in building.items() if process.wait() != 0] == []
-    for group, snippets in groups.items():
-        done = subprocess.run(
-            [str(tmp_path / group)], capture_output=True, text=True, timeout=60, check=True
-        )
-        printed = dict(part.split("\n", 1) for part in done.stdout.split("== ")[1:])
-        for snippet in snippets:
-            found = printed[snippet.name].strip()
-            assert found == snippet.expected.strip(), f"{snippet.name}: {found} {snippet.expected}"
+            snippets.append(snippet_of(page))
+            header = "units" if kind == "units" else f"messages/{family[name]}"
+            assert f"#include <sbgc/{header}.hpp>" in snippets[-1].includes, path
+    assert len(snippets) == len(layout.definitions) + len(layout.quantities)
+    source, program = tmp_path / "examples.cpp", tmp_path / "examples"
+    source.write_text(program_of(snippets), encoding="utf-8")
+    includes = [f"-I{PROJECT / name}" for name in ("runtime/core/include", "generated/include")]
+    command = [*COMPILER, "-std=c++20", *WARNINGS.split(), *includes, source, "-o", program]
+    subprocess.run(command, check=True)
+    done = subprocess.run([program], capture_output=True, text=True, timeout=60, check=True)
+    printed = dict(part.split("\n", 1) for part in done.stdout.split("== ")[1:])
+    for snippet in snippets:
+        found = printed[snippet.name].strip()
+        assert found == snippet.expected.strip(), f"{snippet.name}: {found} {snippet.expected}"
 
 
 def test_examples_with_the_client(pages: Pages, layout: Layout, tmp_path: Path) -> None:

@@ -10,17 +10,16 @@ from html import escape, unescape
 from pathlib import Path
 
 import pytest
+from conftest import LAYOUT
 from facts import Fact, all_facts, kind_of, missing, one_of_each_kind, shapes_of
 from html_pages import HtmlPages
 
-from sbgcgen.build import load_protocol
 from sbgcgen.targets import target
 
 pytest.importorskip("markdown", reason="the site needs python3-markdown")
 
 ROOT = Path(__file__).resolve().parents[2]
 MODEL = json.loads((ROOT / "generated/simplebgc.json").read_text(encoding="utf-8"))
-LAYOUT = load_protocol(ROOT / "spec").layout
 FACTS = list(all_facts(LAYOUT))
 _INLINE = re.compile(r"<(a|code|b)\b(?![^>]*\bid=)[^>]*>([^<]*)</\1>")
 FAMILIES = {command.name: command.family for command in LAYOUT.commands}
