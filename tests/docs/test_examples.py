@@ -226,16 +226,17 @@ def test_what_only_the_board_knows_is_read_before_it_is_written(pages: Pages) ->
 # ---- the command lines ----
 
 
-def run(command: str, folder: Path) -> str:
+def run(commands: str, folder: Path) -> str:
+    """Runs all in one shell, which ends at the first that fails."""
     done = subprocess.run(
-        ["bash", "-c", command],
+        ["bash", "-e", "-c", commands],
         capture_output=True,
         text=True,
-        timeout=60,
+        timeout=600,
         # Bash complains about missing locales.
         env={**os.environ, "PATH": f"{folder}:{os.environ['PATH']}", "LC_ALL": "C.UTF-8"},
     )
-    assert (done.returncode, done.stderr) == (0, ""), command
+    assert (done.returncode, done.stderr) == (0, ""), done.stdout[-500:]
     return done.stdout
 
 
@@ -249,26 +250,25 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def test_every_command_gives_what_the_page_says(pages: Pages, folder: Path) -> None:
-    seen = 0
-    for page in pages.values():
-        for code in page.root.with_class("example-command"):
-            seen += 1
-            out = run(code.text, folder)
-            expected = code.get("data-gives")
-            if expected == "values":
-                rows = [line.split() for line in frames_of(out)[-1][1:]]
-                # A lone frame whose request decides is read in the other way, too.
-                rows = list(takewhile(lambda row: row[:3] != ["The", "request", "decides"], rows))
-                shown = [" ".join(row).split() for row in values_of(page)]
-                # The page also says which way an angle is.
-                assert rows == [row[:-1] if row[-1] in SIDES else row for row in shown], page.path
-            elif expected == "summary":
-                assert out.splitlines()[-1].startswith(code.get("data-summary")), page.path
-            else:
-                is_trial = code.text.startswith("sbgc send")  # which also says what it does
-                frame = out.splitlines()[0] if is_trial else out.strip()
-                assert frame == expected == shown_frame(page), page.path
-    assert seen > 2 * len([p for p in pages if p.startswith("messages/")])
+    found = [(p, code) for p in pages.values() for code in p.root.with_class("example-command")]
+    assert len(found) > 2 * len([p for p in pages if p.startswith("messages/")])
+    outputs = run("\nprintf '\\0'\n".join(code.text for _, code in found), folder).split("\0")
+    assert len(outputs) == len(found)
+    for (page, code), out in zip(found, outputs):
+        expected = code.get("data-gives")
+        if expected == "values":
+            rows = [line.split() for line in frames_of(out)[-1][1:]]
+            # A lone frame whose request decides is read in the other way, too.
+            rows = list(takewhile(lambda row: row[:3] != ["The", "request", "decides"], rows))
+            shown = [" ".join(row).split() for row in values_of(page)]
+            # The page also says which way an angle is.
+            assert rows == [row[:-1] if row[-1] in SIDES else row for row in shown], page.path
+        elif expected == "summary":
+            assert out.splitlines()[-1].startswith(code.get("data-summary")), page.path
+        else:
+            is_trial = code.text.startswith("sbgc send")  # which also says what it does
+            frame = out.splitlines()[0] if is_trial else out.strip()
+            assert frame == expected == shown_frame(page), page.path
 
 
 def test_tasks_of_the_guide_are_on_the_pages_of_their_messages(pages: Pages) -> None:
