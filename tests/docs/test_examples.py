@@ -228,8 +228,10 @@ def test_what_only_the_board_knows_is_read_before_it_is_written(pages: Pages) ->
 
 def run(commands: str, folder: Path) -> str:
     """Runs all in one shell, which ends at the first that fails."""
+    script = folder / "commands.sh"
+    script.write_text(commands, encoding="utf-8")
     done = subprocess.run(
-        ["bash", "-e", "-c", commands],
+        ["bash", "-e", str(script)],
         capture_output=True,
         text=True,
         timeout=600,
