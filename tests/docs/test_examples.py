@@ -363,10 +363,10 @@ def test_cpp_examples(pages: Pages, layout: Layout, tmp_path: Path) -> None:
             header = "units" if kind == "units" else f"messages/{family[name]}"
             assert f"#include <sbgc/{header}.hpp>" in snippets[-1].includes, path
     assert len(snippets) == len(layout.definitions) + len(layout.quantities)
-    source, program = tmp_path / "examples.cpp", tmp_path / "examples"
+    source, program = tmp_path / "examples.cpp", str(tmp_path / "examples")
     source.write_text(program_of(snippets), encoding="utf-8")
     includes = [f"-I{PROJECT / name}" for name in ("runtime/core/include", "generated/include")]
-    command = [*COMPILER, "-std=c++20", *WARNINGS.split(), *includes, source, "-o", program]
+    command = [*COMPILER, "-std=c++20", *WARNINGS.split(), *includes, str(source), "-o", program]
     subprocess.run(command, check=True)
     done = subprocess.run([program], capture_output=True, text=True, timeout=60, check=True)
     printed = dict(part.split("\n", 1) for part in done.stdout.split("== ")[1:])
