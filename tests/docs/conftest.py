@@ -23,9 +23,12 @@ from pages import Page, read  # noqa: E402
 gc.set_threshold(200_000, 20, 50)
 
 
+LAYOUT = load_protocol(PROJECT / "spec").layout
+
+
 @pytest.fixture(scope="session")
 def layout() -> Layout:
-    return load_protocol(PROJECT / "spec").layout
+    return LAYOUT
 
 
 @pytest.fixture(scope="session")

@@ -90,7 +90,8 @@ def _text_of(element: Element, column: str) -> str:
     if row is None or (column == "offset" and element is not row):
         return _shown_once(element)
     wanted = _COLUMNS.get(column, [])
-    cells = [_shown_once(cell) for title, cell in zip(_titles(row), _cells(row)) if title in wanted]
+    titles = _titles(_around(row, "table") or row)
+    cells = [_shown_once(cell) for title, cell in zip(titles, _cells(row)) if title in wanted]
     return " ".join(cells) if cells else _shown_once(row)
 
 
@@ -98,7 +99,8 @@ def _cells(row: Element) -> list[Element]:
     return [cell for cell in row.children if cell.tag in ("td", "th")]
 
 
-def _titles(row: Element) -> list[str]:
-    table = _around(row, "table")
-    head = table.all("tr")[0] if table else row
+@cache
+def _titles(table: Element) -> list[str]:
+    """Returns the titles of a table's columns; a row without a table has its own."""
+    head = table.all("tr")[0] if table.tag == "table" else table
     return [" ".join(_shown_once(cell).split()) for cell in _cells(head)]

@@ -6,7 +6,6 @@ import json
 import os
 import re
 import subprocess
-from collections import defaultdict
 from dataclasses import dataclass
 from math import hypot
 from itertools import takewhile
@@ -14,17 +13,15 @@ from pathlib import Path
 
 import pytest
 
-from sbgcgen.build import load_protocol
 from sbgcgen.oracle.example import Piece, example_of
 from sbgcgen.model import Enum, Layout, Message, Quantity, Scalar
 from sbgcgen.model.names import slug
 
-from conftest import PROJECT
+from conftest import LAYOUT, PROJECT
 from pages import Element, Page
 
 Pages = dict[str, Page]
 
-LAYOUT = load_protocol(PROJECT / "spec").layout
 SIDES = {side for d in LAYOUT.directions for side in (d.positive, d.negative) if side}
 
 SBGC = os.environ.get("SBGC", str(PROJECT / "build" / "release" / "tools" / "sbgc"))
@@ -229,16 +226,19 @@ def test_what_only_the_board_knows_is_read_before_it_is_written(pages: Pages) ->
 # ---- the command lines ----
 
 
-def run(command: str, folder: Path) -> str:
+def run(commands: str, folder: Path) -> str:
+    """Runs all in one shell, which ends at the first that fails."""
+    script = folder / "commands.sh"
+    script.write_text(commands, encoding="utf-8")
     done = subprocess.run(
-        ["bash", "-c", command],
+        ["bash", "-e", str(script)],
         capture_output=True,
         text=True,
-        timeout=60,
+        timeout=600,
         # Bash complains about missing locales.
         env={**os.environ, "PATH": f"{folder}:{os.environ['PATH']}", "LC_ALL": "C.UTF-8"},
     )
-    assert (done.returncode, done.stderr) == (0, ""), command
+    assert (done.returncode, done.stderr) == (0, ""), done.stdout[-500:]
     return done.stdout
 
 
@@ -252,26 +252,25 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def test_every_command_gives_what_the_page_says(pages: Pages, folder: Path) -> None:
-    seen = 0
-    for page in pages.values():
-        for code in page.root.with_class("example-command"):
-            seen += 1
-            out = run(code.text, folder)
-            expected = code.get("data-gives")
-            if expected == "values":
-                rows = [line.split() for line in frames_of(out)[-1][1:]]
-                # A lone frame whose request decides is read in the other way, too.
-                rows = list(takewhile(lambda row: row[:3] != ["The", "request", "decides"], rows))
-                shown = [" ".join(row).split() for row in values_of(page)]
-                # The page also says which way an angle is.
-                assert rows == [row[:-1] if row[-1] in SIDES else row for row in shown], page.path
-            elif expected == "summary":
-                assert out.splitlines()[-1].startswith(code.get("data-summary")), page.path
-            else:
-                is_trial = code.text.startswith("sbgc send")  # which also says what it does
-                frame = out.splitlines()[0] if is_trial else out.strip()
-                assert frame == expected == shown_frame(page), page.path
-    assert seen > 2 * len([p for p in pages if p.startswith("messages/")])
+    found = [(p, code) for p in pages.values() for code in p.root.with_class("example-command")]
+    assert len(found) > 2 * len([p for p in pages if p.startswith("messages/")])
+    outputs = run("\nprintf '\\0'\n".join(code.text for _, code in found), folder).split("\0")
+    assert len(outputs) == len(found)
+    for (page, code), out in zip(found, outputs):
+        expected = code.get("data-gives")
+        if expected == "values":
+            rows = [line.split() for line in frames_of(out)[-1][1:]]
+            # A lone frame whose request decides is read in the other way, too.
+            rows = list(takewhile(lambda row: row[:3] != ["The", "request", "decides"], rows))
+            shown = [" ".join(row).split() for row in values_of(page)]
+            # The page also says which way an angle is.
+            assert rows == [row[:-1] if row[-1] in SIDES else row for row in shown], page.path
+        elif expected == "summary":
+            assert out.splitlines()[-1].startswith(code.get("data-summary")), page.path
+        else:
+            is_trial = code.text.startswith("sbgc send")  # which also says what it does
+            frame = out.splitlines()[0] if is_trial else out.strip()
+            assert frame == expected == shown_frame(page), page.path
 
 
 def test_tasks_of_the_guide_are_on_the_pages_of_their_messages(pages: Pages) -> None:
@@ -354,33 +353,26 @@ def program_of(snippets: list[Snippet]) -> str:
 
 
 def test_cpp_examples(pages: Pages, layout: Layout, tmp_path: Path) -> None:
-    """One program for each family, and one for the units: it prints what the pages show."""
-    groups: dict[str, list[Snippet]] = defaultdict(list)
+    """One program, because the headers take most of the time: it prints what the pages show."""
+    snippets = []
     family = {slug(m.name): m.family for m in layout.definitions}
     for path, page in pages.items():
         if page.root.with_class("example-cpp"):
             kind, _, name = path.removesuffix(".html").partition("/")
-            groups[family[name] if kind == "messages" else kind].append(snippet_of(page))
-    assert sum(map(len, groups.values())) == len(layout.definitions) + len(layout.quantities)
-    building = {}
-    for group, snippets in groups.items():
-        source = tmp_path / f"{group}.cpp"
-        source.write_text(program_of(snippets), encoding="utf-8")
-        includes = [f"-I{PROJECT / name}" for name in ("runtime/core/include", "generated/include")]
-        command = [*COMPILER, "-std=c++20", *WARNINGS.split(), *includes, str(source)]
-        building[group] = subprocess.Popen([*command, "-o", str(source.with_suffix(""))])
-        if len(building) % 2 == 0:  # two at a time
-            for process in building.values():
-                process.wait()
-    assert [group for group, process in building.items() if process.wait() != 0] == []
-    for group, snippets in groups.items():
-        done = subprocess.run(
-            [str(tmp_path / group)], capture_output=True, text=True, timeout=60, check=True
-        )
-        printed = dict(part.split("\n", 1) for part in done.stdout.split("== ")[1:])
-        for snippet in snippets:
-            found = printed[snippet.name].strip()
-            assert found == snippet.expected.strip(), f"{snippet.name}: {found} {snippet.expected}"
+            snippets.append(snippet_of(page))
+            header = "units" if kind == "units" else f"messages/{family[name]}"
+            assert f"#include <sbgc/{header}.hpp>" in snippets[-1].includes, path
+    assert len(snippets) == len(layout.definitions) + len(layout.quantities)
+    source, program = tmp_path / "examples.cpp", str(tmp_path / "examples")
+    source.write_text(program_of(snippets), encoding="utf-8")
+    includes = [f"-I{PROJECT / name}" for name in ("runtime/core/include", "generated/include")]
+    command = [*COMPILER, "-std=c++20", *WARNINGS.split(), *includes, str(source), "-o", program]
+    subprocess.run(command, check=True)
+    done = subprocess.run([program], capture_output=True, text=True, timeout=60, check=True)
+    printed = dict(part.split("\n", 1) for part in done.stdout.split("== ")[1:])
+    for snippet in snippets:
+        found = printed[snippet.name].strip()
+        assert found == snippet.expected.strip(), f"{snippet.name}: {found} {snippet.expected}"
 
 
 def test_examples_with_the_client(pages: Pages, layout: Layout, tmp_path: Path) -> None:
