@@ -15,8 +15,6 @@ export interface Reply {
 
 /** An event of the client. */
 export interface Handlers {
-  identified?(text: string): void;
-  failed?(message: string): void;
   noticed?(text: string): void;
   /** A search tries these settings; the bytes that advance() returns are for a line that has them. */
   lineSet?(settings: LineSettings): void;
@@ -35,12 +33,11 @@ export interface Progress {
 
 /** One line of client_reports(). */
 export interface ReportLine {
-  identity?: string;
-  failed?: string;
   notice?: string;
   errors?: string;
   done?: number;
   error?: string;
+  identity?: string;
   kind?: Reply["kind"];
   frame?: string;
   findings?: Finding[];
@@ -62,6 +59,8 @@ const viewNumbers = 1 + 6 * 3 + 5;
 
 /** Times are microseconds, and do not decrease. */
 export class Client {
+  /** The versions of the board, in words. */
+  readonly identified: Promise<string>;
   protected readonly wasm: Wasm;
   readonly #handlers: Handlers;
   readonly #waiting = new Map<number, Waiting>();
@@ -72,7 +71,12 @@ export class Client {
   constructor(gimbal: Wasm, handlers: Handlers = {}, searches = false) {
     this.wasm = gimbal;
     this.#handlers = handlers;
-    this.wasm.call("client_start", Number(searches));
+    const started = this.begin((id) => {
+      this.wasm.call("client_start", id, Number(searches));
+      return "";
+    });
+    this.identified = started.then(({ identity }) => identity ?? "");
+    this.identified.catch(() => {}); // it may fail before somebody waits for it
   }
 
   /** Takes bytes of the line. */
@@ -164,8 +168,6 @@ export class Client {
   }
 
   #take(line: ReportLine): void {
-    if (line.identity !== undefined) this.#handlers.identified?.(line.identity);
-    if (line.failed !== undefined) this.#handlers.failed?.(line.failed);
     if (line.notice !== undefined) this.#handlers.noticed?.(line.notice);
     if (line.errors !== undefined) this.#errors = line.errors.split("\n").filter((name) => name);
     if (line.baud !== undefined) {

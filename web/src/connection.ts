@@ -38,9 +38,7 @@ export class Connection<Kind extends Client = Client> {
   /** Versions of the board, in words. */
   identity = "";
   readonly #watcher: Watcher;
-  readonly #identified: Promise<void>;
   readonly #timer = new Timer(() => this.#advance());
-  #failed = (_: Error): void => {};
   #line: LineEnd | undefined;
   #settings: LineSettings;
   #wanted: LineSettings | undefined; // that a search tries next
@@ -50,15 +48,7 @@ export class Connection<Kind extends Client = Client> {
   private constructor(connect: (handlers: Handlers) => Kind, settings: LineSettings, watcher: Watcher) {
     this.#settings = settings;
     this.#watcher = watcher;
-    let identified = (_: string): void => {};
-    this.#identified = new Promise<void>((resolve, reject) => {
-      identified = (text) => resolve(void (this.identity = text));
-      this.#failed = reject;
-    });
-    this.#identified.catch(() => {}); // it may fail before it is waited for
     this.client = connect({
-      identified,
-      failed: (text) => this.#failed(new Error(text)),
       noticed: watcher.noticed,
       lineSet: (wanted) => void (this.#wanted = wanted),
     });
@@ -83,7 +73,7 @@ export class Connection<Kind extends Client = Client> {
         lost: (reason) => made.#fail(reason),
       });
       made.run();
-      await made.#identified;
+      made.identity = await made.client.identified;
       return made;
     } catch (error) {
       await made.close();
@@ -144,7 +134,6 @@ export class Connection<Kind extends Client = Client> {
     this.#end ??= reason;
     this.#timer.stop();
     this.client.close(reason);
-    this.#failed(new Error(reason));
   }
 
   async close(): Promise<void> {

@@ -62,15 +62,18 @@ class Playground {
 
   #start(options: EmulatorOptions): void {
     this.#gimbal?.client.close("the board has been replaced");
-    this.#gimbal = new EmulatedGimbal(
+    const gimbal = new EmulatedGimbal(
       this.wasm,
       options,
-      {
-        identified: (text) => say({ kind: "identity", text }),
-        failed: (message) => say({ kind: "failed", message }),
-        noticed: (text) => say({ kind: "notice", text }),
-      },
+      { noticed: (text) => say({ kind: "notice", text }) },
       (from, bytes, now) => this.#reports.observe(from, bytes, now / 1e6),
+    );
+    this.#gimbal = gimbal;
+    gimbal.client.identified.then(
+      (text) => say({ kind: "identity", text }),
+      (error: unknown) => {
+        if (gimbal === this.#gimbal) say({ kind: "failed", message: sentenceOf(error) });
+      },
     );
     this.#reports.reset();
     this.#mark();

@@ -56,11 +56,11 @@ export function App({ session, token }: { session: Setup; token: string }) {
   const arm = (on: boolean): void => {
     if (on && (!isReady || !isConnected)) return;
     if (!on) hold.releaseAll();
-    session.post({ kind: "arm", on });
+    void session.do("arm", [on]);
     setArmed(on);
   };
   const stop = (): void => {
-    void follow("Stop", session.ask({ kind: "stop" }));
+    void follow("Stop", session.do("stop", []));
     hold.releaseAll(true);
   };
   /** Actions that have not ended. */

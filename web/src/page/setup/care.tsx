@@ -54,7 +54,7 @@ function CalibrationCard({ calibration }: { calibration: Calibration }) {
   const isPossible = isConnected && !task.isBusy && isComplete;
   const check = (): Promise<unknown> =>
     task.run(async (progress) => {
-      const { problem } = await session.do("check", [name], progress);
+      const problem = await session.do("check", [name], progress);
       setSaid({ text: problem ? `Not ready: ${problem}` : "The gimbal is ready.", isGood: !problem });
     });
   const calibrate = (): Promise<unknown> =>

@@ -21,8 +21,7 @@ export function Review({ plan, onWritten, onClose }: Props) {
   const place = useRef<HTMLElement>(null);
   useEffect(() => place.current?.scrollIntoView({ block: "nearest" }), [plan]);
   const task = useTask();
-  const { problems, remarks } = plan;
-  const changes = [...plan.changes].sort((a, b) => Number(a.line) - Number(b.line));
+  const { changes, problems, remarks } = plan;
   const lines = changes.filter(({ line }) => line).map(({ name }) => name);
   const isWritable = changes.length > 0 && problems.length === 0 && !task.isBusy;
   const attempt = (): Promise<void> =>

@@ -3,18 +3,21 @@
 import { createContext } from "preact";
 import { useContext } from "preact/hooks";
 
-import type { Request, Work } from "../../setup_messages.js";
-import { Session, type OnProgress, type Question } from "../session.js";
+import type { OnProgress as OfTask } from "../../setup_client.js";
+import type { Work } from "../../setup_worker.js";
+import { Session, type OnProgress } from "../session.js";
+
+/** What the page says; the worker adds a function for progress. */
+type Said<All extends unknown[]> = All extends [...infer Args, OfTask] ? Args : All;
 
 export class Setup extends Session {
   async do<Name extends keyof Work>(
     name: Name,
-    args: Parameters<Work[Name]>,
+    args: Said<Parameters<Work[Name]>>,
     progress?: OnProgress,
-  ): Promise<ReturnType<Work[Name]>> {
-    const question = { kind: "work", name, args } as Question<Request>;
-    const done = await this.ask(question, progress);
-    return ("result" in done ? done.result : undefined) as ReturnType<Work[Name]>;
+  ): Promise<Awaited<ReturnType<Work[Name]>>> {
+    const done = await this.ask({ kind: "work", name, args }, progress);
+    return ("result" in done ? done.result : undefined) as Awaited<ReturnType<Work[Name]>>;
   }
 
   /** Nobody waits for its end. */
