@@ -5,7 +5,7 @@ import { useEffect, useRef, useState } from "preact/hooks";
 import type { Change, Plan, Trial, Written } from "../../setup_messages.js";
 import { Button, SmallButton } from "../inputs.js";
 import { useTask } from "../session.js";
-import { Dialog, TaskState } from "./parts.js";
+import { AskButton, TaskState } from "./parts.js";
 import { useBench } from "./setup_session.js";
 
 interface Props {
@@ -17,7 +17,6 @@ interface Props {
 export function Review({ plan, onWritten, onClose }: Props) {
   const { session, setUndo } = useBench();
   const [trial, setTrial] = useState<Trial | null>(null);
-  const [asks, setAsks] = useState(false);
   const place = useRef<HTMLElement>(null);
   useEffect(() => place.current?.scrollIntoView({ block: "nearest" }), [plan]);
   const task = useTask();
@@ -57,7 +56,18 @@ export function Review({ plan, onWritten, onClose }: Props) {
         <Button look="plain quiet" disabled={!isWritable} onClick={attempt}>
           Try on the emulated board
         </Button>
-        <Button disabled={!isWritable} onClick={() => setAsks(true)}>Write</Button>
+        <AskButton
+          action="Write"
+          question={changes.length === 1 ? "Write 1 parameter?" : `Write ${changes.length} parameters?`}
+          disabled={!isWritable}
+          onAgree={write}
+        >
+          <p>
+            Parameters take effect at once, and the camera can move. The page reads them back and
+            compares; “Undo the last write” brings the present values back.
+          </p>
+          {lines.length > 0 && <p class="warn">The line changes at the end: {lines.join(", ")}.</p>}
+        </AskButton>
       </div>
       <TaskState task={task} />
       {trial && (
@@ -70,20 +80,6 @@ export function Review({ plan, onWritten, onClose }: Props) {
             </div>
           ))}
         </div>
-      )}
-      {asks && (
-        <Dialog
-          title={changes.length === 1 ? "Write 1 parameter?" : `Write ${changes.length} parameters?`}
-          action="Write"
-          onAgree={() => void write()}
-          onClose={() => setAsks(false)}
-        >
-          <p>
-            Parameters take effect at once, and the camera can move. The page reads them back and
-            compares; “Undo the last write” brings the present values back.
-          </p>
-          {lines.length > 0 && <p class="warn">The line changes at the end: {lines.join(", ")}.</p>}
-        </Dialog>
       )}
     </section>
   );

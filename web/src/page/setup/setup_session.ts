@@ -1,11 +1,8 @@
 // The page's side of the worker that has the line of a real gimbal.
 
-import { createContext } from "preact";
-import { useContext } from "preact/hooks";
-
 import type { OnProgress as OfTask } from "../../setup_client.js";
 import type { Work } from "../../setup_worker.js";
-import { Session, type OnProgress } from "../session.js";
+import { type Desk, type OnProgress, Session, useDesk } from "../session.js";
 
 /** What the page says; the worker adds a function for progress. */
 type Said<All extends unknown[]> = All extends [...infer Args, OfTask] ? Args : All;
@@ -26,8 +23,8 @@ export class Setup extends Session {
   }
 }
 
-/** What the parts of this page need besides the desk. */
-export interface Bench {
+/** The desk of this page. */
+export interface Bench extends Desk {
   session: Setup;
   isConnected: boolean;
   isArmed: boolean;
@@ -38,10 +35,4 @@ export interface Bench {
   setUndo: (can: boolean) => void;
 }
 
-export const BenchContext = createContext<Bench | null>(null);
-
-export function useBench(): Bench {
-  const bench = useContext(BenchContext);
-  if (!bench) throw new Error("no bench");
-  return bench;
-}
+export const useBench = (): Bench => useDesk() as Bench;
