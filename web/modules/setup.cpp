@@ -104,15 +104,6 @@ Json values_of(const Calibration& one) {
   return values;
 }
 
-/// Makes the request from the settings in `lines`. Returns what is wrong.
-std::string fill(AnyMessage& request, std::string_view lines) {
-  std::string problem;
-  for_each_setting(lines, [&](std::string_view path, std::string_view value) {
-    if (problem.empty()) problem = request.assign(path, value);
-  });
-  return problem;
-}
-
 /// A board that continues after an error would shake the camera.
 Task<Result<void>> tune(msg::AutoPidRequest request, TuningOptions options) {
   const Result<void> tuned = co_await tasks::run_tuning(request, options);
@@ -179,9 +170,11 @@ SBGC_EXPORT(setup_calibrate) void setup_calibrate(double id) {
   if (one == nullptr) return client()->report_end(id, "there is no such calibration");
   AnyMessage request = tools::new_message(*find_message(one->info().name));
   if (one->forms.front().has_action) static_cast<void>(request.assign("action", "REGULAR"));
-  if (std::string problem = fill(request, lines); !problem.empty()) {
-    return client()->report_end(id, problem);
-  }
+  std::string problem;
+  for_each_setting(lines, [&](std::string_view path, std::string_view value) {
+    if (problem.empty()) problem = request.assign(path, value);
+  });
+  if (!problem.empty()) return client()->report_end(id, problem);
   is_cancelled() = false;
   CalibrationOptions options;
   options.progress = [id](const CalibrationProgress& now) {

@@ -85,18 +85,11 @@ const char* kind_of(const Leaf& leaf) {
   return leaf.names->is_flags ? "flags" : "enum";
 }
 
-/// Returns the text of a value that is read back as the same value.
-std::string text_of(const FieldTypes& types, const Leaf& leaf) {
-  const auto type = types.find(without_indices(to_string(leaf.path)));
-  if (type == types.end()) return raw_text(leaf);
-  return tools::settable_text(*type->second, leaf, 0, true);
-}
-
 /// The first parameter with each list of names. Others refer to it: some lists are long, and a
 /// worker that makes text does not stop the camera.
 using KnownNames = std::map<const EnumInfo*, std::string>;
 
-Json to_json(const std::string& message, const FieldTypes& types, const Leaf& leaf,
+Json to_json(const std::string& message, const FieldType& type, const Leaf& leaf,
              KnownNames& known) {
   const std::string path = to_string(leaf.path);
   Json names = Json::array();
@@ -106,21 +99,22 @@ Json to_json(const std::string& message, const FieldTypes& types, const Leaf& le
   } else if (leaf.names != nullptr) {
     for (const ValueInfo& value : leaf.names->values) names.push_back({value.name, value.summary});
   }
-  const auto type = types.find(without_indices(path));
-  const std::int64_t initial = type == types.end() ? 0 : type->second->initial;
+  const auto text_of = [&](const Leaf& value) {
+    return tools::settable_text(type, value, 0, true);
+  };
   Leaf usual = leaf;
-  usual.integer = initial;
+  usual.integer = type.initial;
   Json result{{"name", name_of(message, path)},
               {"path", path},
               {"summary", leaf.field.summary},
-              {"text", text_of(types, leaf)},
+              {"text", text_of(leaf)},
               {"unit", leaf.unit != nullptr ? leaf.unit->name : ""},
               {"least", Json()},
               {"most", Json()},
               {"names", std::move(names)},
               {"kind", kind_of(leaf)},
               {"general", leaf.field.role == FieldRole::general},
-              {"default", initial == 0 ? "" : text_of(types, usual)}};
+              {"default", type.initial == 0 ? "" : text_of(usual)}};
   if (leaf.field.range != nullptr) {
     result["least"] = limit_of(leaf, leaf.field.range->lowest);
     result["most"] = limit_of(leaf, leaf.field.range->highest);
@@ -168,18 +162,12 @@ void put_plan(const ParameterSet& wanted, bool validates, const Json& remarks = 
   Json changes = Json::array();
   Json last = Json::array();
   const Availability versions = state().read.board.versions();
-  ParameterSet present;
-  for (const Parameters& block : wanted.all()) {
-    const Parameters* const old = state().read.parameters.find(block.id);
-    if (old != nullptr) static_cast<void>(present.put(*old));
-  }
   std::set<std::string> general;
-  for (const ParametersChange& block : diff(present, wanted, versions, versions)) {
-    const AnyMessage message = message_in(*wanted.find(block.id));
+  for (const ParametersChange& block : diff(state().read.parameters, wanted, versions, versions)) {
     for (const FieldChange& field : block.fields) {
       bool is_of_line = false;
       bool is_of_all = copy_count(block.id) == 1;
-      message.with_leaf(field.path, [&](const Leaf& leaf) {
+      message_in(*wanted.find(block.id)).with_leaf(field.path, [&](const Leaf& leaf) {
         is_of_line = changes_line(leaf.field);
         is_of_all = is_of_all || leaf.field.role == FieldRole::general;
       });
@@ -300,7 +288,8 @@ SBGC_EXPORT(setup_topic) void setup_topic(double number, double profile) {
           if (topic_of(leaf.field) != &topic || leaf.kind == LeafKind::counter) return;
           if (!tools::is_settable(leaf.field)) return;
           if (!types) types = types_of(message.type());
-          parameters.push_back(to_json(block.id.message, *types, leaf, known));
+          const FieldType& type = *types->at(without_indices(to_string(leaf.path)));
+          parameters.push_back(to_json(block.id.message, type, leaf, known));
         },
         state().read.board.versions());
   }

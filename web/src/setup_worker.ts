@@ -38,7 +38,7 @@ export type Work = Workshop["work"] &
 
 class Workshop {
   #connection: Connection<SetupClient> | null = null;
-  #opening: { close(): Promise<void> } | null = null;
+  #opening: Connection<SetupClient> | null = null;
   #place: Place | null = null;
   #line: LineSettings | null = null;
   #serialNumber = "";
@@ -160,23 +160,19 @@ class Workshop {
 
   async #open(place: Place, wanted: LineSettings | null): Promise<Connected> {
     say({ kind: "link", state: "searching", text: "looking for the board" });
-    let opened: Connection<SetupClient> | undefined;
-    try {
-      const known = place.kind === "serial" ? wanted : usualLine; // a bridge knows the settings
-      opened = await Connection.open(
-        (handlers) => new SetupClient(this.setup, handlers, known === null),
-        (settings, handlers) => lines.open(place, settings, handlers),
-        {
-          observed: (from, bytes) => this.#observe(from, bytes),
-          lost: (reason) => opened === this.#connection && void this.#find(reason),
-          noticed: (text) => say({ kind: "notice", text }),
-          begun: (made) => void (this.#opening = made),
-        },
-        known ?? usualLine,
-      );
-    } finally {
-      this.#opening = null;
-    }
+    const known = place.kind === "serial" ? wanted : usualLine; // a bridge knows the settings
+    const opened = new Connection(
+      (handlers) => new SetupClient(this.setup, handlers, known === null),
+      (settings, handlers) => lines.open(place, settings, handlers),
+      {
+        observed: (from, bytes) => this.#observe(from, bytes),
+        lost: (reason) => opened === this.#connection && void this.#find(reason),
+        noticed: (text) => say({ kind: "notice", text }),
+      },
+      known ?? usualLine,
+    );
+    this.#opening = opened;
+    const identity = await opened.identity.finally(() => (this.#opening = null));
     this.#connection = opened;
     this.#place = place;
     this.#line = opened.settings;
@@ -184,7 +180,7 @@ class Workshop {
     this.#serialNumber = board.serialNumber;
     say({ kind: "link", state: "connected", text: "connected" });
     const line = place.kind === "serial" ? opened.settings : null;
-    return { ...board, identity: opened.identity, line };
+    return { ...board, identity, line };
   }
 
   /** A line that was lost is looked for until it is there again; it is not armed then. */

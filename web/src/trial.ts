@@ -16,14 +16,8 @@ export async function tryOut(
   wanted: string,
 ): Promise<Trial> {
   const { board, firmware } = facts;
-  const gimbal = new EmulatedGimbal(
-    modules.gimbal,
-    { motion, board, firmware },
-    {},
-    undefined,
-    (handlers) => new SetupClient(modules.setup, handlers),
-  );
-  const client = gimbal.client as SetupClient;
+  const client = new SetupClient(modules.setup);
+  const gimbal = new EmulatedGimbal(modules.gimbal, { motion, board, firmware }, client);
   await gimbal.during(client.identified);
   await gimbal.during(client.act("motors on", gimbal.now));
   await gimbal.during(client.read());

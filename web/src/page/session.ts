@@ -16,9 +16,7 @@ export type Done = Extract<Report, { kind: "done" }>;
 export type Progress = Extract<Report, { kind: "progress" }>;
 export type OnProgress = (progress: Progress) => void;
 /** A request that the worker answers, without its number. */
-export type Question<R = Extract<Request, playground.Request>> = R extends { id: number }
-  ? Omit<R, "id">
-  : never;
+type Question<R = Request> = R extends { id: number } ? Omit<R, "id"> : never;
 
 interface Pending {
   resolve(done: Done): void;
@@ -44,7 +42,7 @@ export class Session {
   }
 
   /** Rejects with the error that the worker reports. */
-  ask(question: Question | Question<setup.Request>, progress?: OnProgress): Promise<Done> {
+  ask(question: Question, progress?: OnProgress): Promise<Done> {
     const id = ++this.#last;
     return new Promise((resolve, reject) => {
       this.#pending.set(id, { resolve, reject, progress });

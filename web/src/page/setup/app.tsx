@@ -14,7 +14,7 @@ import { DeskContext, useOutcome, useTask } from "../session.js";
 import { GimbalView } from "../scene.js";
 import { CarePanel } from "./care.js";
 import { ConnectPanel } from "./connect.js";
-import { download, useEvents } from "./parts.js";
+import { download, Sentences, useEvents } from "./parts.js";
 import { Hold } from "./hold.js";
 import { MovePanel } from "./move.js";
 import { ParametersPanel } from "./parameters.js";
@@ -190,11 +190,7 @@ function Facts({ board: { serialNumber, line, lacks } }: { board: Connected }) {
       {lacks.length > 0 && (
         <details>
           <summary>What this board lacks</summary>
-          <ul>
-            {lacks.map((one) => (
-              <li key={one}>{one}</li>
-            ))}
-          </ul>
+          <Sentences of={lacks} />
         </details>
       )}
     </div>

@@ -1,5 +1,4 @@
-// Small parts: the switch that arms, the state of a task, a dialog that can stop, downloads, and
-// listening as long as a part is in the page.
+// Small parts of the page.
 
 import type { ComponentChildren } from "preact";
 import { useEffect, useRef } from "preact/hooks";
@@ -45,6 +44,14 @@ export function TaskState({ task, onCancel }: { task: Task; onCancel?: () => voi
     </div>
   );
 }
+
+export const Sentences = ({ of }: { of: string[] }) => (
+  <ul>
+    {of.map((one, n) => (
+      <li key={n}>{one}</li>
+    ))}
+  </ul>
+);
 
 interface AskProps {
   /** The name of the button, and of the one that agrees. */

@@ -5,7 +5,7 @@ import { useEffect, useRef, useState } from "preact/hooks";
 import type { Change, Plan, Trial, Written } from "../../setup_messages.js";
 import { Button, SmallButton } from "../inputs.js";
 import { useTask } from "../session.js";
-import { AskButton, TaskState } from "./parts.js";
+import { AskButton, Sentences, TaskState } from "./parts.js";
 import { useBench } from "./setup_session.js";
 
 interface Props {
@@ -38,11 +38,9 @@ export function Review({ plan, onWritten, onClose }: Props) {
       </div>
       {changes.length + problems.length === 0 && <p>Nothing differs from what is on the board.</p>}
       {problems.length > 0 && (
-        <ul class="bad" role="alert">
-          {problems.map(([name, sentence]) => (
-            <li key={`${name} ${sentence}`}>{sentence}</li>
-          ))}
-        </ul>
+        <div class="bad" role="alert">
+          <Sentences of={problems.map(([, sentence]) => sentence)} />
+        </div>
       )}
       <Sentences of={remarks} />
       {changes.length > 0 && <Differences changes={changes} />}
@@ -84,14 +82,6 @@ export function Review({ plan, onWritten, onClose }: Props) {
     </section>
   );
 }
-
-const Sentences = ({ of }: { of: string[] }) => (
-  <ul>
-    {of.map((one) => (
-      <li key={one}>{one}</li>
-    ))}
-  </ul>
-);
 
 const Differences = ({ changes }: { changes: Change[] }) => (
   <div class="differences" tabIndex={0} role="group" aria-label="Differences">
