@@ -31,6 +31,8 @@ export interface Progress {
   text: string;
 }
 
+export type OnProgress = (progress: Progress) => void;
+
 /** One line of client_reports(). */
 export interface ReportLine {
   notice?: string;
@@ -51,7 +53,7 @@ export interface ReportLine {
 interface Waiting {
   resolve(line: ReportLine): void;
   reject(error: Error): void;
-  progressed: ((progress: Progress) => void) | undefined;
+  progressed: OnProgress | undefined;
 }
 
 /** Numbers of the view in web/modules/client.hpp: a time, six axes, and five. */
@@ -145,10 +147,7 @@ export class Client {
   }
 
   /** Starts a task that reports its end under a number; `start` returns an error text. */
-  protected begin(
-    start: (id: number) => string,
-    progressed?: (progress: Progress) => void,
-  ): Promise<ReportLine> {
+  protected begin(start: (id: number) => string, progressed?: OnProgress): Promise<ReportLine> {
     const id = ++this.#lastId;
     const problem = start(id);
     if (problem !== "") return Promise.reject(new Error(problem));

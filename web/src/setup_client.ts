@@ -1,10 +1,8 @@
 // The client of the module `setup`: parameters, calibrations and tuning beside motion.
 
-import { Client, type Handlers, type Progress } from "./client.js";
+import { Client, type Handlers, type OnProgress } from "./client.js";
 import type { BoardFacts, Calibration, Plan, Read, Response, Topic, Written } from "./setup_messages.js";
 import { settingLines, type Wasm } from "./wasm.js";
-
-export type OnProgress = (progress: Progress) => void;
 
 const now = (): string => `${new Date().toISOString().slice(0, 19)}Z`;
 
@@ -24,7 +22,7 @@ export class SetupClient extends Client {
     return this.#task("setup_read", now(), progressed);
   }
 
-  /** The parameters of a profile, from 1, as they were read. Other work, such as a stop, may come between two topics. */
+  /** The parameters of a profile, from 1. Other work, such as a stop, may come between two topics. */
   async profile(profile: number): Promise<Topic[]> {
     const topics: Topic[] = [];
     for (let number = 0; ; ++number) {

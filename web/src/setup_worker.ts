@@ -3,12 +3,12 @@
 
 import { answer, sentenceOf } from "./answers.js";
 import { Capture } from "./capture.js";
-import type { LineSettings, Progress } from "./client.js";
+import type { LineSettings, OnProgress } from "./client.js";
 import { Connection, usualLine } from "./connection.js";
 import * as lines from "./line_ends.js";
 import type { Direction } from "./messages.js";
 import { Reports } from "./reports.js";
-import { type OnProgress, SetupClient } from "./setup_client.js";
+import { SetupClient } from "./setup_client.js";
 import type { Connected, Place, Report, Request, Trial } from "./setup_messages.js";
 import { now } from "./timer.js";
 import { tryOut } from "./trial.js";
@@ -25,8 +25,6 @@ const reportMs = 16;
 const sleepMs = 2000;
 
 const say = (report: Report): void => postMessage(report);
-type Everything = Record<keyof Work, (...all: unknown[]) => unknown>;
-const isStill = (speeds: Axes): boolean => speeds.every((speed) => speed === 0);
 const moves = (action: string): boolean => action !== "stop" && action !== "motors off";
 
 /** What the page asks for by name: the results are in setup_messages.ts. */
@@ -35,6 +33,8 @@ export type Work = Workshop["work"] &
     SetupClient,
     "profile" | "plan" | "planFile" | "planUndo" | "write" | "calibrations" | "check" | "cancel"
   >;
+
+type Methods = Record<keyof Work, (...all: unknown[]) => unknown>;
 
 class Workshop {
   #connection: Connection<SetupClient> | null = null;
@@ -75,8 +75,8 @@ class Workshop {
     switch (request.kind) {
       case "work": {
         const { id, name, args } = request;
-        const owner = (name in this.work ? this.work : this.#client) as unknown as Everything;
-        const progressed = (now: Progress): void => say({ kind: "progress", id, ...now });
+        const owner = (name in this.work ? this.work : this.#client) as unknown as Methods;
+        const progressed: OnProgress = (now) => say({ kind: "progress", id, ...now });
         return { result: await owner[name](...args, progressed) };
       }
       case "act":
@@ -120,16 +120,15 @@ class Workshop {
   }
 
   #turn(speeds: Axes): void {
-    if (isStill(speeds)) this.#isBlocked = false;
-    if (!this.#connection || this.#isBlocked || (!this.#isArmed && !isStill(speeds))) return;
-    const failed = (error: unknown): void => {
-      this.#isBlocked = true;
-      say({ kind: "notice", text: sentenceOf(error) });
-    };
-    if (isStill(speeds)) return void this.#client.act("stop", now()).catch(failed);
+    const isStill = speeds.every((speed) => speed === 0);
+    if (isStill) this.#isBlocked = false;
+    if (!this.#connection || this.#isBlocked || (!this.#isArmed && !isStill)) return;
     const [roll, pitch, yaw] = speeds;
     const turn = `turn roll=${roll} pitch=${pitch} yaw=${yaw} seconds=${holdSeconds}`;
-    this.#client.act(turn, now()).catch(failed);
+    this.#client.act(isStill ? "stop" : turn, now()).catch((error: unknown) => {
+      this.#isBlocked = true;
+      say({ kind: "notice", text: sentenceOf(error) });
+    });
   }
 
   /** Opens the line, searches for its settings unless they are given, and identifies the board. */

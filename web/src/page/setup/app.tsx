@@ -101,10 +101,8 @@ export function App({ session, token }: { session: Setup; token: string }) {
     [session],
   );
   // No dialog or field can keep the key for itself.
-  const escape = (event: Event): void => {
-    if ((event as KeyboardEvent).key === "Escape") stop();
-  };
-  useEvents(window, ["keydown"], escape, true);
+  const isEscape = (event: Event): boolean => (event as KeyboardEvent).key === "Escape";
+  useEvents(window, ["keydown"], (event) => isEscape(event) && stop(), true);
   useEvents(document, ["visibilitychange"], () => document.hidden && disarm.current());
 
   const connected = (now: Connected): void => {

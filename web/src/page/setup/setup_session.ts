@@ -1,11 +1,11 @@
 // The page's side of the worker that has the line of a real gimbal.
 
-import type { OnProgress as OfTask } from "../../setup_client.js";
+import type { OnProgress } from "../../client.js";
 import type { Work } from "../../setup_worker.js";
-import { type Desk, type OnProgress, Session, useDesk } from "../session.js";
+import { type Desk, Session, useDesk } from "../session.js";
 
 /** What the page says; the worker adds a function for progress. */
-type Said<All extends unknown[]> = All extends [...infer Args, OfTask] ? Args : All;
+type Said<All extends unknown[]> = All extends [...infer Args, OnProgress] ? Args : All;
 
 export class Setup extends Session {
   async do<Name extends keyof Work>(
