@@ -41,13 +41,9 @@ function other({ text, kind, names, least, most }) {
 
 for (const [board, firmware] of [[30, 2590], [36, 2745]]) {
   test(`every parameter of firmware ${firmware} is read, planned, written and read back`, async () => {
-    let identified;
-    const ready = new Promise((resolve) => (identified = resolve));
-    const setup = await load("setup");
-    const connect = (handlers) => new web.SetupClient(setup, handlers);
-    const gimbal = new web.EmulatedGimbal(await load("gimbal"), { board, firmware }, { identified }, undefined, connect);
-    const { client } = gimbal;
-    await gimbal.during(ready);
+    const client = new web.SetupClient(await load("setup"));
+    const gimbal = new web.EmulatedGimbal(await load("gimbal"), { board, firmware }, client);
+    await gimbal.during(client.identified);
     assert.deepEqual([client.board.board, client.board.firmware], [board, firmware]);
     await gimbal.during(client.read());
     const all = (await client.profile(1)).flatMap(({ parameters }) => parameters);

@@ -67,8 +67,8 @@ Client::Client() {
   notices_ = client_.on_notice([this](const Notice& notice) { report("notice", notice.message); });
 }
 
-void Client::connect(bool searches) {
-  if (!searches) return identify();
+void Client::connect(double id, bool searches) {
+  if (!searches) return identify(id);
   const auto set_line = [this](const LineSettings& line) {
     report([&](JsonWriter& out) {
       out.member("baud", line.baud_rate);
@@ -76,17 +76,20 @@ void Client::connect(bool searches) {
     });
     return true;
   };
-  client_.detect_line(set_line, [this](const Result<void>& found) {
-    if (found) return identify();
-    report("failed", found.error().message);
+  client_.detect_line(set_line, [this, id](const Result<void>& found) {
+    if (found) return identify(id);
+    report_end(id, found.error().message);
   });
 }
 
-void Client::identify() {
-  client_.connect([this](const Result<void>& connected) {
-    if (!connected) return report("failed", connected.error().message);
+void Client::identify(double id) {
+  client_.connect([this, id](const Result<void>& connected) {
+    if (!connected) return report_end(id, connected.error().message);
     const BoardIdentity& board = client_.identity();
-    report("identity", "board " + board.board_version() + ", firmware " + board.firmware_version());
+    report_end(id, "", [&](JsonWriter& out) {
+      out.member("identity",
+                 "board " + board.board_version() + ", firmware " + board.firmware_version());
+    });
     client_.start(watch(), [](const Result<void>&) {});
   });
 }

@@ -33,9 +33,9 @@ class Client {
   PassiveClient& passive() { return client_; }
   const View& view() const { return view_; }
 
-  /// Identifies the board, and then watches it. With `searches`, finds the settings of the line
-  /// first, and reports each that it tries.
-  void connect(bool searches = false);
+  /// Identifies the board, reports its versions, and then watches it. With `searches`, finds the
+  /// settings of the line first, and reports each that it tries.
+  void connect(double id, bool searches);
   /// Makes moves and turns end by themselves when no more commands reach the board, and yield when
   /// somebody else has stopped the camera.
   void bound_moves() { bounds_moves_ = true; }
@@ -71,7 +71,7 @@ class Client {
 
  private:
   void take(const tools::LiveValues& values);
-  void identify();
+  void identify(double id);
   Task<Result<void>> watch();
 
   struct Held;

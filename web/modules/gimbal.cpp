@@ -17,8 +17,8 @@ std::optional<Client>& client() {
 
 /// Makes a client, which asks the board for its identity and then watches it. With `searches`, it
 /// finds the settings of the line first.
-SBGC_EXPORT(client_start) void client_start(double searches) {
-  client().emplace().connect(searches != 0);
+SBGC_EXPORT(client_start) void client_start(double id, double searches) {
+  client().emplace().connect(id, searches != 0);
 }
 
 /// Takes the input from the line.
@@ -60,10 +60,9 @@ SBGC_EXPORT(client_diagnose) void client_diagnose(double id) {
   if (client()) client()->diagnose(id);
 }
 
-/// The output is a line of JSON for each report since the last time: {"identity": "…"},
-/// {"failed": "…"}, {"notice": "…"}, {"baud": 115200, "even": false} before the next bytes,
-/// {"errors": "names, one a line"}, or {"done": ID, "error": "…"} with what the client was asked
-/// for.
+/// The output is a line of JSON for each report since the last time: {"notice": "…"}, {"baud":
+/// 115200, "even": false} before the next bytes, {"errors": "names, one a line"}, or {"done": ID,
+/// "error": "…"} with what the client was asked for.
 SBGC_EXPORT(client_reports) void client_reports() {
   tools::exchange().output = client() ? client()->take_reports() : "";
 }

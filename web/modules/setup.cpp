@@ -1,27 +1,23 @@
-// Exports of the module `setup`: the board, its parameters and their files, and long tasks that
-// need a person. Profiles count from 1. Progress is reported as {"progress": ID, "of": {"share":
-// 0.5, "text": "…"}}, without a share if it is not known; a result as {"done": ID, "result": …}.
+// Exports of the module `setup`, except those for parameters.
 
 #include "modules/setup.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <vector>
 
 #include <fmt/format.h>
 
 #include <sbgc/analysis/frequency_response.hpp>
 #include <sbgc/any.hpp>
-#include <sbgc/availability.hpp>
 #include <sbgc/client/bode.hpp>
 #include <sbgc/client/calibration.hpp>
 #include <sbgc/client/calibrations.hpp>
 #include <sbgc/client/motion.hpp>
 #include <sbgc/client/readiness.hpp>
 #include <sbgc/client/tuning.hpp>
-#include <sbgc/internal/parse_number.hpp>
 
+#include "modules/client.hpp"
 #include "modules/exchange.hpp"
 #include "values/complete_message.hpp"
 #include "values/effect_text.hpp"
@@ -30,35 +26,50 @@ namespace sbgc::web {
 
 namespace {
 
-Parameters& parameters() {
-  static Parameters made;
-  return made;
-}
-
-std::uint8_t index_of(double profile) { return static_cast<std::uint8_t>(profile - 1); }
-
-void put(const Json& result) { tools::exchange().output = detail::json_text(result); }
-
-template <class E>
-void add_missing(Flags<E> flags, Json& names) {
-  for (const ValueInfo& value : EnumMeta<E>::info.values) {
-    if (!flags.has(static_cast<E>(value.value))) names.push_back(value.name);
-  }
+/// The page no longer wants the task that runs.
+bool& is_cancelled() {
+  static bool value = false;
+  return value;
 }
 
 }  // namespace
 
+void put(const Json& result) { tools::exchange().output = detail::json_text(result); }
+
+void start(double id, Task<Result<Json>> task) {
+  client()->passive().start(std::move(task), [id](const Result<Json>& result) {
+    if (!result) return client()->report_end(id, result.error().message);
+    client()->report_end(id, "", [&](JsonWriter& out) {
+      out.key("result").value().put(detail::json_text(*result));
+    });
+  });
+}
+
+bool report_progress(double id, double share, std::string_view text) {
+  client()->report([&](JsonWriter& out) {
+    out.member("progress", static_cast<std::int64_t>(id));
+    out.key("of").object([&] {
+      if (share >= 0) out.member("share", share);
+      out.member("text", text);
+    });
+  });
+  return !is_cancelled();
+}
+
 /// Starts with a new client, whose moves end when commands cease.
 SBGC_EXPORT(setup_begin) void setup_begin() {
   client()->bound_moves();
-  parameters() = {};
+  forget_parameters();
 }
 
 /// The output has the versions and the serial number of the board, and the features that it lacks.
 SBGC_EXPORT(setup_board) void setup_board() {
   const BoardIdentity& board = client()->passive().identity();
   Json lacks = Json::array();
-  add_missing(board.info.board_features, lacks);
+  for (const ValueInfo& value : EnumMeta<msg::BoardFeature>::info.values) {
+    const auto feature = static_cast<msg::BoardFeature>(value.value);
+    if (!board.info.board_features.has(feature)) lacks.push_back(value.name);
+  }
   if (!board.firmware_problem().empty()) lacks.push_back("firmware: " + board.firmware_problem());
   put({{"board", board.info.board_ver.raw()},
        {"firmware", board.info.firmware_ver.raw()},
@@ -66,49 +77,7 @@ SBGC_EXPORT(setup_board) void setup_board() {
        {"lacks", std::move(lacks)}});
 }
 
-/// Reads all parameters; the input is the time, for backups.
-SBGC_EXPORT(setup_read) void setup_read(double id) {
-  parameters().read(id, std::string(input_text()));
-}
-
-/// Outputs a topic with its parameters in a profile; null after the last topic.
-SBGC_EXPORT(setup_topic) void setup_topic(double number, double profile) {
-  put(parameters().topic(static_cast<std::size_t>(number), index_of(profile)));
-}
-
-/// Plans the values in the input, a line MESSAGE.PATH=TEXT each. The output is the plan.
-SBGC_EXPORT(setup_plan) void setup_plan(double profile) {
-  put(parameters().plan_values(input_text(), index_of(profile)));
-}
-
-/// Plans the file in the input.
-SBGC_EXPORT(setup_plan_file) void setup_plan_file(double profile) {
-  put(parameters().plan_file(input_text(), index_of(profile)));
-}
-
-/// Plans to restore the parameters from before the last write.
-SBGC_EXPORT(setup_plan_undo) void setup_plan_undo() { put(parameters().plan_undo()); }
-
-/// Makes the next undo go back to the parameters that were read last.
-SBGC_EXPORT(setup_remember) void setup_remember() { parameters().remember(); }
-
-/// Writes the plan; the input is the time.
-SBGC_EXPORT(setup_write) void setup_write(double id) {
-  parameters().write(id, std::string(input_text()));
-}
-
-/// The output is a backup of the board, or with `of_plan` of the board with the plan.
-SBGC_EXPORT(setup_backup) void setup_backup(double of_plan) {
-  tools::exchange().output = parameters().backup(of_plan != 0);
-}
-
 namespace {
-
-/// The page no longer wants the task that runs.
-bool& is_cancelled() {
-  static bool value = false;
-  return value;
-}
 
 const Calibration* calibration_named(std::string_view name) {
   const auto& all = calibrations();
@@ -135,15 +104,6 @@ Json values_of(const Calibration& one) {
   return values;
 }
 
-/// Makes the request from the settings in `lines`. Returns what is wrong.
-std::string fill(AnyMessage& request, std::string_view lines) {
-  std::string problem;
-  for_each_setting(lines, [&](std::string_view path, std::string_view value) {
-    if (problem.empty()) problem = request.assign(path, value);
-  });
-  return problem;
-}
-
 /// A board that continues after an error would shake the camera.
 Task<Result<void>> tune(msg::AutoPidRequest request, TuningOptions options) {
   const Result<void> tuned = co_await tasks::run_tuning(request, options);
@@ -156,17 +116,27 @@ Task<Result<void>> tune(msg::AutoPidRequest request, TuningOptions options) {
   co_return error;
 }
 
-Json to_json(const analysis::FrequencyResponse& response) {
-  Json frequency = Json::array();
-  Json gain = Json::array();
-  Json phase = Json::array();
+Task<Result<Json>> bode(msg::BodeTestStartStopRequest request, BodeOptions options, double from,
+                        double to) {
+  const Result<BodeRecording> made = co_await tasks::record_bode(request, std::move(options));
+  if (!made) co_return made.error();
+  const auto response =
+      analysis::frequency_response(made->input, made->output, bode_sample_rate, from, to);
+  Json result{{"frequency", Json::array()}, {"gain", Json::array()}, {"phase", Json::array()}};
   for (const analysis::ResponsePoint& point : response.points) {
     if (!std::isfinite(point.gain)) continue;
-    frequency.push_back(point.frequency);
-    gain.push_back(point.gain);
-    phase.push_back(point.phase);
+    result["frequency"].push_back(point.frequency);
+    result["gain"].push_back(point.gain);
+    result["phase"].push_back(point.phase);
   }
-  return {{"frequency", frequency}, {"gain", gain}, {"phase", phase}};
+  result["csv"] = to_csv(*made);
+  co_return result;
+}
+
+Task<Result<Json>> check(const Calibration& one) {
+  const Result<Readiness> found = co_await tasks::check_readiness({.conditions = one.conditions});
+  if (!found) co_return found.error();
+  co_return Json(found->problem);
 }
 
 }  // namespace
@@ -183,18 +153,14 @@ SBGC_EXPORT(setup_calibrations) void setup_calibrations() {
                       {"moves", info.effects.has(Effect::moves)},
                       {"values", values_of(one)}});
   }
-  tools::exchange().output = detail::json_text(result);
+  put(result);
 }
 
-/// Checks whether the gimbal is ready for the calibration in the input.
+/// Checks whether the gimbal is ready for the calibration in the input. The result is the problem.
 SBGC_EXPORT(setup_check) void setup_check(double id) {
   const Calibration* const one = calibration_named(input_text());
   if (one == nullptr) return client()->report_end(id, "there is no such calibration");
-  client()->passive().start(tasks::check_readiness({.conditions = one->conditions}),
-                            [id](const Result<Readiness>& found) {
-                              if (!found) return client()->report_end(id, found.error().message);
-                              report_result(id, {{"problem", found->problem}});
-                            });
+  start(id, check(*one));
 }
 
 /// Calibrates. The input is the name of the calibration, and a line PATH=TEXT for each value.
@@ -204,16 +170,17 @@ SBGC_EXPORT(setup_calibrate) void setup_calibrate(double id) {
   if (one == nullptr) return client()->report_end(id, "there is no such calibration");
   AnyMessage request = tools::new_message(*find_message(one->info().name));
   if (one->forms.front().has_action) static_cast<void>(request.assign("action", "REGULAR"));
-  if (std::string problem = fill(request, lines); !problem.empty()) {
-    return client()->report_end(id, problem);
-  }
+  std::string problem;
+  for_each_setting(lines, [&](std::string_view path, std::string_view value) {
+    if (problem.empty()) problem = request.assign(path, value);
+  });
+  if (!problem.empty()) return client()->report_end(id, problem);
   is_cancelled() = false;
   CalibrationOptions options;
   options.progress = [id](const CalibrationProgress& now) {
     const double seconds = std::chrono::duration<double>(now.elapsed).count();
     const double share = now.state ? static_cast<double>(now.state->progress.raw()) / 100 : -1;
-    report_progress(id, share, fmt::format("calibrating for {:.0f} s", seconds));
-    return !is_cancelled();
+    return report_progress(id, share, fmt::format("calibrating for {:.0f} s", seconds));
   };
   client()->start(id, tasks::run_calibration(std::move(request), options));
 }
@@ -227,8 +194,7 @@ void setup_tune(double id, double axes, double gain, double profile) {
   is_cancelled() = false;
   TuningOptions options;
   options.progress = [id](const std::optional<msg::AutoPid>&) {
-    report_progress(id, -1, "tuning");
-    return !is_cancelled();
+    return report_progress(id, -1, "tuning");
   };
   client()->start(id, tune(tuning_request(choice), options));
 }
@@ -248,18 +214,10 @@ void setup_bode(double id, double axis, double gain, double from, double to) {
   is_cancelled() = false;
   BodeOptions options;
   options.progress = [id](const BodeProgress& now) {
-    report_progress(id, static_cast<double>(now.samples) / static_cast<double>(now.total),
-                    fmt::format("{} of {} samples", now.samples, now.total));
-    return !is_cancelled();
+    const double share = static_cast<double>(now.samples) / static_cast<double>(now.total);
+    return report_progress(id, share, fmt::format("{} of {} samples", now.samples, now.total));
   };
-  client()->passive().start(
-      tasks::record_bode(request, options), [id, from, to](const Result<BodeRecording>& made) {
-        if (!made) return client()->report_end(id, made.error().message);
-        Json result = to_json(
-            analysis::frequency_response(made->input, made->output, bode_sample_rate, from, to));
-        result["csv"] = to_csv(*made);
-        report_result(id, result);
-      });
+  start(id, bode(request, std::move(options), from, to));
 }
 
 /// Ends the waiting of a calibration, a tuning or a recording.

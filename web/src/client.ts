@@ -15,8 +15,6 @@ export interface Reply {
 
 /** An event of the client. */
 export interface Handlers {
-  identified?(text: string): void;
-  failed?(message: string): void;
   noticed?(text: string): void;
   /** A search tries these settings; the bytes that advance() returns are for a line that has them. */
   lineSet?(settings: LineSettings): void;
@@ -33,14 +31,15 @@ export interface Progress {
   text: string;
 }
 
+export type OnProgress = (progress: Progress) => void;
+
 /** One line of client_reports(). */
 export interface ReportLine {
-  identity?: string;
-  failed?: string;
   notice?: string;
   errors?: string;
   done?: number;
   error?: string;
+  identity?: string;
   kind?: Reply["kind"];
   frame?: string;
   findings?: Finding[];
@@ -54,7 +53,7 @@ export interface ReportLine {
 interface Waiting {
   resolve(line: ReportLine): void;
   reject(error: Error): void;
-  progressed: ((progress: Progress) => void) | undefined;
+  progressed: OnProgress | undefined;
 }
 
 /** Numbers of the view in web/modules/client.hpp: a time, six axes, and five. */
@@ -62,6 +61,8 @@ const viewNumbers = 1 + 6 * 3 + 5;
 
 /** Times are microseconds, and do not decrease. */
 export class Client {
+  /** The versions of the board, in words. */
+  readonly identified: Promise<string>;
   protected readonly wasm: Wasm;
   readonly #handlers: Handlers;
   readonly #waiting = new Map<number, Waiting>();
@@ -72,7 +73,12 @@ export class Client {
   constructor(gimbal: Wasm, handlers: Handlers = {}, searches = false) {
     this.wasm = gimbal;
     this.#handlers = handlers;
-    this.wasm.call("client_start", Number(searches));
+    const started = this.begin((id) => {
+      this.wasm.call("client_start", id, Number(searches));
+      return "";
+    });
+    this.identified = started.then(({ identity }) => identity ?? "");
+    this.identified.catch(() => {}); // it may fail before somebody waits for it
   }
 
   /** Takes bytes of the line. */
@@ -141,10 +147,7 @@ export class Client {
   }
 
   /** Starts a task that reports its end under a number; `start` returns an error text. */
-  protected begin(
-    start: (id: number) => string,
-    progressed?: (progress: Progress) => void,
-  ): Promise<ReportLine> {
+  protected begin(start: (id: number) => string, progressed?: OnProgress): Promise<ReportLine> {
     const id = ++this.#lastId;
     const problem = start(id);
     if (problem !== "") return Promise.reject(new Error(problem));
@@ -164,8 +167,6 @@ export class Client {
   }
 
   #take(line: ReportLine): void {
-    if (line.identity !== undefined) this.#handlers.identified?.(line.identity);
-    if (line.failed !== undefined) this.#handlers.failed?.(line.failed);
     if (line.notice !== undefined) this.#handlers.noticed?.(line.notice);
     if (line.errors !== undefined) this.#errors = line.errors.split("\n").filter((name) => name);
     if (line.baud !== undefined) {

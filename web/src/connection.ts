@@ -27,66 +27,52 @@ export interface Watcher {
   observed?(from: Direction, bytes: Uint8Array): void;
   lost?(reason: string): void;
   noticed(text: string): void;
-  /** Called before the board is identified, with what can be closed. */
-  begun?(made: { close(): Promise<void> }): void;
 }
 
 export type OpenLine = (settings: LineSettings, handlers: LineHandlers) => Promise<LineEnd>;
 
 export class Connection<Kind extends Client = Client> {
   readonly client: Kind;
-  /** Versions of the board, in words. */
-  identity = "";
+  /** Versions of the board, in words, once the line is open and the board has answered. */
+  readonly identity: Promise<string>;
   readonly #watcher: Watcher;
-  readonly #identified: Promise<void>;
   readonly #timer = new Timer(() => this.#advance());
-  #failed = (_: Error): void => {};
   #line: LineEnd | undefined;
   #settings: LineSettings;
   #wanted: LineSettings | undefined; // that a search tries next
   #isWriting = false;
   #end: string | undefined;
 
-  private constructor(connect: (handlers: Handlers) => Kind, settings: LineSettings, watcher: Watcher) {
-    this.#settings = settings;
-    this.#watcher = watcher;
-    let identified = (_: string): void => {};
-    this.#identified = new Promise<void>((resolve, reject) => {
-      identified = (text) => resolve(void (this.identity = text));
-      this.#failed = reject;
-    });
-    this.#identified.catch(() => {}); // it may fail before it is waited for
-    this.client = connect({
-      identified,
-      failed: (text) => this.#failed(new Error(text)),
-      noticed: watcher.noticed,
-      lineSet: (wanted) => void (this.#wanted = wanted),
-    });
-  }
-
   /** Opens a line, and identifies the board with a client that `connect` makes. */
-  static async open<Kind extends Client>(
+  constructor(
     connect: (handlers: Handlers) => Kind,
     openLine: OpenLine,
     watcher: Watcher,
     settings = usualLine,
-  ): Promise<Connection<Kind>> {
-    const made = new Connection(connect, settings, watcher);
-    watcher.begun?.(made);
+  ) {
+    this.#settings = settings;
+    this.#watcher = watcher;
+    this.client = connect({
+      noticed: watcher.noticed,
+      lineSet: (wanted) => void (this.#wanted = wanted),
+    });
+    this.identity = this.#open(openLine);
+  }
+
+  async #open(openLine: OpenLine): Promise<string> {
     try {
-      made.#line = await openLine(settings, {
+      this.#line = await openLine(this.#settings, {
         received: (bytes) => {
-          watcher.observed?.("board", bytes);
-          made.client.receive(bytes, now());
-          made.run();
+          this.#watcher.observed?.("board", bytes);
+          this.client.receive(bytes, now());
+          this.run();
         },
-        lost: (reason) => made.#fail(reason),
+        lost: (reason) => this.#fail(reason),
       });
-      made.run();
-      await made.#identified;
-      return made;
+      this.run();
+      return await this.client.identified;
     } catch (error) {
-      await made.close();
+      await this.close();
       throw error;
     }
   }
@@ -144,7 +130,6 @@ export class Connection<Kind extends Client = Client> {
     this.#end ??= reason;
     this.#timer.stop();
     this.client.close(reason);
-    this.#failed(new Error(reason));
   }
 
   async close(): Promise<void> {

@@ -186,8 +186,8 @@ export class Gimbal {
   readonly #connection: Connection;
   readonly #messages: Messages;
 
-  private constructor(connection: Connection, codec: Messages) {
-    this.identity = connection.identity;
+  private constructor(connection: Connection, codec: Messages, identity: string) {
+    this.identity = identity;
     this.#connection = connection;
     this.#messages = codec;
   }
@@ -196,12 +196,12 @@ export class Gimbal {
   static async open(streams: Streams): Promise<Gimbal> {
     const [wasm, codec] = [await instance("gimbal"), await messages()];
     let gimbal: Gimbal | undefined;
-    const connection = await Connection.open(
+    const connection = new Connection(
       (handlers) => new Client(wasm, handlers),
       async (_, handlers) => new StreamLine(streams, handlers),
       { noticed: (text) => gimbal?.onnotice?.(text) },
     );
-    return (gimbal = new Gimbal(connection, codec));
+    return (gimbal = new Gimbal(connection, codec, await connection.identity));
   }
 
   /** The last state that the board has reported, or null. */

@@ -1,7 +1,7 @@
 // The line between a client and an emulated board, in the time of its owner.
 
 import { Board } from "./board.js";
-import { Client, type Handlers } from "./client.js";
+import type { Client } from "./client.js";
 import type { EmulatorOptions } from "./modules.js";
 import type { Wasm } from "./wasm.js";
 
@@ -13,21 +13,15 @@ const stepUs = 50_000;
 /** A client and a board, connected. */
 export class EmulatedGimbal {
   readonly board: Board;
-  readonly client: Client;
-  readonly #observe: Observer | undefined;
   #now = 0;
 
-  /** `connect` makes another client than that of the module. */
   constructor(
     gimbal: Wasm,
     options: EmulatorOptions,
-    handlers: Handlers = {},
-    observe?: Observer,
-    connect = (all: Handlers): Client => new Client(gimbal, all),
+    readonly client: Client,
+    readonly observe?: Observer,
   ) {
     this.board = new Board(gimbal, options, 0);
-    this.client = connect(handlers);
-    this.#observe = observe;
   }
 
   /** The time that it has reached, in microseconds since the board was turned on. */
@@ -66,13 +60,13 @@ export class EmulatedGimbal {
   #step(): void {
     const sent = this.client.advance(this.#now);
     if (sent.length > 0) {
-      this.#observe?.("host", sent, this.#now);
+      this.observe?.("host", sent, this.#now);
       this.board.receive(sent, this.#now);
       this.client.written(this.#now);
     }
     const arrived = this.board.advance(this.#now);
     if (arrived.length === 0) return;
-    this.#observe?.("board", arrived, this.#now);
+    this.observe?.("board", arrived, this.#now);
     this.client.receive(arrived, this.#now);
   }
 }

@@ -2,20 +2,25 @@
 
 import { sentenceOf } from "./answers.js";
 import type { LineSettings } from "./client.js";
-import type { LineEnd, LineHandlers } from "./connection.js";
+import { type LineEnd, type LineHandlers, usualLine } from "./connection.js";
 import type { Place } from "./setup_messages.js";
 
+type SerialPlace = Extract<Place, { kind: "serial" }>;
+
 /** Opens the line. `settings` are those of a serial port. */
-export function open(place: Place, settings: LineSettings, handlers: LineHandlers): Promise<LineEnd> {
-  return place.kind === "serial"
-    ? SerialLine.open(place, settings, handlers)
-    : BridgeLine.open(place.url, place.token, handlers);
+export async function open(
+  place: Place,
+  settings: LineSettings,
+  handlers: LineHandlers,
+): Promise<LineEnd> {
+  if (place.kind === "bridge") return openBridge(place.url, place.token, handlers);
+  const line = new SerialLine(await portAt(place), handlers);
+  await line.set(settings);
+  return line;
 }
 
-const bitsPerByte = (settings: LineSettings): number => (settings.parity === "none" ? 10 : 11);
-
 /** The port at a place: adapters of one kind are told apart by their order. */
-async function portAt(place: Extract<Place, { kind: "serial" }>): Promise<SerialPort> {
+async function portAt(place: SerialPlace): Promise<SerialPort> {
   if (!("serial" in navigator)) throw new Error("this browser has no Web Serial");
   const same = (port: SerialPort): boolean => {
     const { usbVendorId = null, usbProductId = null } = port.getInfo();
@@ -33,25 +38,18 @@ class SerialLine implements LineEnd {
   #writer: WritableStreamDefaultWriter<Uint8Array> | undefined;
   #reading: Promise<void> = Promise.resolve();
   #isClosing = false;
+  #settings: LineSettings | undefined;
 
-  private constructor(
+  constructor(
     readonly port: SerialPort,
     readonly handlers: LineHandlers,
-    private settings: LineSettings,
   ) {}
 
-  static async open(
-    place: Extract<Place, { kind: "serial" }>,
-    settings: LineSettings,
-    handlers: LineHandlers,
-  ): Promise<SerialLine> {
-    const line = new SerialLine(await portAt(place), handlers, settings);
-    await line.#begin(settings);
-    return line;
-  }
-
-  async #begin(settings: LineSettings): Promise<void> {
-    this.settings = settings;
+  async set(settings: LineSettings): Promise<void> {
+    const { baudRate, parity } = this.#settings ?? {};
+    if (settings.baudRate === baudRate && settings.parity === parity) return;
+    if (this.#settings) await this.close();
+    this.#settings = settings;
     this.#isClosing = false;
     try {
       await this.port.open({ ...settings, bufferSize: 4096 });
@@ -85,17 +83,11 @@ class SerialLine implements LineEnd {
     const begin = performance.now();
     await this.#writer?.write(bytes);
     // The driver takes bytes before they are on the wire.
-    const { baudRate } = this.settings;
-    const due = begin + (bytes.length * bitsPerByte(this.settings) * 1000) / baudRate;
+    const { baudRate, parity } = this.#settings ?? usualLine;
+    const bitsPerByte = parity === "none" ? 10 : 11;
+    const due = begin + (bytes.length * bitsPerByte * 1000) / baudRate;
     const left = due - performance.now();
     if (left > 0) await new Promise((resolve) => setTimeout(resolve, left));
-  }
-
-  async set(settings: LineSettings): Promise<void> {
-    const { baudRate, parity } = this.settings;
-    if (settings.baudRate === baudRate && settings.parity === parity) return;
-    await this.close();
-    await this.#begin(settings);
   }
 
   async close(): Promise<void> {
@@ -107,34 +99,26 @@ class SerialLine implements LineEnd {
   }
 }
 
-class BridgeLine implements LineEnd {
-  #isClosing = false;
-
-  private constructor(readonly socket: WebSocket) {}
-
-  static open(url: string, token: string, handlers: LineHandlers): Promise<BridgeLine> {
-    const socket = new WebSocket(url, ["sbgc", `token.${token}`]);
-    socket.binaryType = "arraybuffer";
-    const line = new BridgeLine(socket);
-    return new Promise((resolve, reject) => {
-      socket.onopen = () => resolve(line);
-      socket.onerror = () => reject(new Error("the bridge does not answer, or refuses the token"));
-      socket.onmessage = ({ data }) => handlers.received(new Uint8Array(data as ArrayBuffer));
-      socket.onclose = ({ reason }) => {
-        reject(new Error(reason || "the bridge has closed the connection"));
-        if (!line.#isClosing) handlers.lost(reason || "the bridge has closed the connection");
-      };
-    });
-  }
-
-  async write(bytes: Uint8Array): Promise<void> {
-    this.socket.send(bytes as Uint8Array<ArrayBuffer>);
-  }
-
-  async set(): Promise<void> {}
-
-  async close(): Promise<void> {
-    this.#isClosing = true;
-    this.socket.close();
-  }
+function openBridge(url: string, token: string, handlers: LineHandlers): Promise<LineEnd> {
+  const socket = new WebSocket(url, ["sbgc", `token.${token}`]);
+  socket.binaryType = "arraybuffer";
+  let isClosing = false;
+  const line: LineEnd = {
+    write: async (bytes) => socket.send(bytes as Uint8Array<ArrayBuffer>),
+    set: async () => {},
+    close: async () => {
+      isClosing = true;
+      socket.close();
+    },
+  };
+  return new Promise((resolve, reject) => {
+    socket.onopen = () => resolve(line);
+    socket.onerror = () => reject(new Error("the bridge does not answer, or refuses the token"));
+    socket.onmessage = ({ data }) => handlers.received(new Uint8Array(data as ArrayBuffer));
+    socket.onclose = ({ reason }) => {
+      const text = reason || "the bridge has closed the connection";
+      reject(new Error(text));
+      if (!isClosing) handlers.lost(text);
+    };
+  });
 }

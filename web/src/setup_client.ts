@@ -1,19 +1,8 @@
 // The client of the module `setup`: parameters, calibrations and tuning beside motion.
 
-import { Client, type Handlers, type Progress } from "./client.js";
-import type { Calibration, Check, Plan, Read, Response, Topic, Written } from "./setup_messages.js";
+import { Client, type Handlers, type OnProgress } from "./client.js";
+import type { BoardFacts, Calibration, Plan, Read, Response, Topic, Written } from "./setup_messages.js";
 import { settingLines, type Wasm } from "./wasm.js";
-
-export type OnProgress = (progress: Progress) => void;
-
-/** The identity and features of the board. */
-export interface BoardFacts {
-  /** The raw value. */
-  board: number;
-  firmware: number;
-  serialNumber: string;
-  lacks: string[];
-}
 
 const now = (): string => `${new Date().toISOString().slice(0, 19)}Z`;
 
@@ -33,7 +22,7 @@ export class SetupClient extends Client {
     return this.#task("setup_read", now(), progressed);
   }
 
-  /** The topics and their parameters. Other work, such as a stop, may come between two topics. */
+  /** The parameters of a profile, from 1. Other work, such as a stop, may come between two topics. */
   async profile(profile: number): Promise<Topic[]> {
     const topics: Topic[] = [];
     for (let number = 0; ; ++number) {
@@ -50,14 +39,17 @@ export class SetupClient extends Client {
     }
   }
 
+  /** What these values would change: by `message.path`, as people write them, in one profile. */
   plan(values: Record<string, string>, profile: number): Plan {
     return this.#json("setup_plan", settingLines(values), profile);
   }
 
+  /** What a file would change: a backup, or the elementsOf() one of the vendor's program. */
   planFile(text: string, profile: number): Plan {
     return this.#json("setup_plan_file", text, profile);
   }
 
+  /** What would undo the last writing. */
   planUndo(): Plan {
     return this.#json("setup_plan_undo", null);
   }
@@ -81,7 +73,8 @@ export class SetupClient extends Client {
     return this.#json("setup_calibrations", null);
   }
 
-  check(calibration: string): Promise<Check> {
+  /** Looks whether the gimbal is as the calibration expects it: "", or what is wrong. */
+  check(calibration: string): Promise<string> {
     return this.#task("setup_check", calibration);
   }
 
@@ -89,15 +82,18 @@ export class SetupClient extends Client {
     return this.#task("setup_calibrate", `${name}\n${settingLines(values)}`, progressed);
   }
 
+  /** Tunes the controllers of some axes. */
   tune(axes: boolean[], gain: number, profile: number, progressed: OnProgress): Promise<void> {
     const bits = axes.reduce((all, isOn, axis) => all + (isOn ? 2 ** axis : 0), 0);
     return this.#task("setup_tune", null, progressed, bits, gain, profile);
   }
 
+  /** Records the response of an axis, 0 roll, 1 pitch, 2 yaw, to noise of these frequencies in hertz. */
   bode(axis: number, gain: number, from: number, to: number, progressed: OnProgress): Promise<Response> {
     return this.#task("setup_bode", null, progressed, axis, gain, from, to);
   }
 
+  /** Ends a calibration's wait, a tuning or a recording as far as the board allows. */
   cancel(): void {
     this.wasm.call("setup_cancel");
   }

@@ -2,6 +2,7 @@
 // The worker owns the line, the client, the clock, and an emulated board for trials.
 
 import type { LineSettings, Progress } from "./client.js";
+import type { Work } from "./setup_worker.js";
 import type * as playground from "./worker_messages.js";
 import type { Axes } from "./worker_messages.js";
 
@@ -13,51 +14,11 @@ export type Place =
   | { kind: "serial"; index: number; vendor: number | null; product: number | null }
   | { kind: "bridge"; url: string; token: string };
 
-/** The requests of the page by name; `done` has their result. */
-export interface Work {
-  /** Opens the line, searches for its settings unless they are given, and identifies the board. */
-  connect(place: Place, line: LineSettings | null): Connected;
-  /** Stops what this page moves, and gives the line back. */
-  disconnect(): void;
-  /** Begins and ends a recording; returns its bytes, which `sbgc decode` reads. */
-  record(on: boolean): Uint8Array<ArrayBuffer> | undefined;
-  /** Reads all parameters. */
-  read(): Read;
-  /** The parameters of a profile, from 1, as they were read. */
-  profile(profile: number): Topic[];
-  /** What these values would change: by `message.path`, as people write them, in one profile. */
-  plan(values: Record<string, string>, profile: number): Plan;
-  /** What a file would change: a backup, or the elementsOf() one of the vendor's program. */
-  planFile(text: string, profile: number): Plan;
-  /** What would undo the last writing. */
-  planUndo(): Plan;
-  /** Writes the last plan to an emulated board that has the parameters of the real one. */
-  tryOut(): Trial;
-  /** Writes the last plan, reads back and compares. */
-  write(): Written;
-  /** The text of a backup. */
-  backup(): string;
-  calibrations(): Calibration[];
-  /** Looks whether the gimbal is as the calibration expects it. */
-  check(calibration: string): Check;
-  calibrate(calibration: string, values: Record<string, string>): void;
-  /** Tunes the controllers; the parameters are read before, for `planUndo`. */
-  tune(axes: boolean[], gain: number, profile: number): void;
-  /** Records the response of an axis, 0 roll, 1 pitch, 2 yaw, to noise of these frequencies in hertz. */
-  bode(axis: number, gain: number, from: number, to: number): Response;
-  /** Ends a calibration's wait, a tuning or a recording as far as the board allows. */
-  cancel(): void;
-}
-type Asked<Name extends keyof Work> = { kind: "work"; id: number; name: Name; args: Parameters<Work[Name]> };
-
 /** From the page. The worker answers everything that has an `id` with `done` of the same one. */
 export type Request =
   | Extract<playground.Request, { kind: "act" | "doctor" | "log" }>
-  | { [Name in keyof Work]: Asked<Name> }[keyof Work]
-  /** Whether `act` and `hold` may move the camera; a new connection is not armed. */
-  | { kind: "arm"; on: boolean }
-  /** Stops the camera, before everything that waits. */
-  | { kind: "stop"; id: number }
+  /** `done` has the result. */
+  | { kind: "work"; id: number; name: keyof Work; args: unknown[] }
   /**
    * Turns at these speeds, roll, pitch, yaw in degrees a second, as long as it is repeated: the camera
    * brakes when none has come for 300 ms. All 0: it stops.
@@ -78,15 +39,22 @@ export type Report =
 
 export type LinkState = "closed" | "searching" | "connected" | "lost";
 
-/** The result of `connect`. */
-export interface Connected {
-  identity: string;
-  /** The serial number; "" if the board has none. */
+/** The identity and features of the board. */
+export interface BoardFacts {
+  /** The raw value. */
+  board: number;
+  firmware: number;
+  /** "" if the board has none. */
   serialNumber: string;
-  /** The settings of a serial line. */
-  line: LineSettings | null;
   /** What this board and firmware lack, in sentences. */
   lacks: string[];
+}
+
+/** The result of `connect`. */
+export interface Connected extends BoardFacts {
+  identity: string;
+  /** The settings of a serial line. */
+  line: LineSettings | null;
 }
 
 /** The result of `read`. */
@@ -167,11 +135,6 @@ export interface Calibration {
   moves: boolean;
   /** Fields that need a value; with names, one of them. */
   values: { path: string; unit: string; summary: string; names: string[] }[];
-}
-
-/** The result of `check`: "" if the gimbal is ready. */
-export interface Check {
-  problem: string;
 }
 
 /** The result of `bode`: frequencies in hertz, gain in decibels, phase in degrees. */

@@ -3,13 +3,13 @@
 
 import { answer, sentenceOf } from "./answers.js";
 import { Capture } from "./capture.js";
-import type { LineSettings, Progress } from "./client.js";
+import type { LineSettings, OnProgress } from "./client.js";
 import { Connection, usualLine } from "./connection.js";
 import * as lines from "./line_ends.js";
 import type { Direction } from "./messages.js";
 import { Reports } from "./reports.js";
-import { type OnProgress, SetupClient } from "./setup_client.js";
-import type { Connected, Place, Report, Request, Trial, Work } from "./setup_messages.js";
+import { SetupClient } from "./setup_client.js";
+import type { Connected, Place, Report, Request, Trial } from "./setup_messages.js";
 import { now } from "./timer.js";
 import { tryOut } from "./trial.js";
 import { Wasm } from "./wasm.js";
@@ -25,16 +25,20 @@ const reportMs = 16;
 const sleepMs = 2000;
 
 const say = (report: Report): void => postMessage(report);
-/** How the worker does what the page asks for by name. */
-type Doing<Name extends keyof Work> = (
-  ...all: [...Parameters<Work[Name]>, OnProgress]
-) => ReturnType<Work[Name]> | Promise<ReturnType<Work[Name]>>;
-const isStill = (speeds: Axes): boolean => speeds.every((speed) => speed === 0);
 const moves = (action: string): boolean => action !== "stop" && action !== "motors off";
+
+/** What the page asks for by name: the results are in setup_messages.ts. */
+export type Work = Workshop["work"] &
+  Pick<
+    SetupClient,
+    "profile" | "plan" | "planFile" | "planUndo" | "write" | "calibrations" | "check" | "cancel"
+  >;
+
+type Methods = Record<keyof Work, (...all: unknown[]) => unknown>;
 
 class Workshop {
   #connection: Connection<SetupClient> | null = null;
-  #opening: { close(): Promise<void> } | null = null;
+  #opening: Connection<SetupClient> | null = null;
   #place: Place | null = null;
   #line: LineSettings | null = null;
   #serialNumber = "";
@@ -71,17 +75,13 @@ class Workshop {
     switch (request.kind) {
       case "work": {
         const { id, name, args } = request;
-        const work = this.#work[name] as (...all: unknown[]) => unknown;
-        return { result: await work(...args, (now: Progress) => say({ kind: "progress", id, ...now })) };
+        const owner = (name in this.work ? this.work : this.#client) as unknown as Methods;
+        const progressed: OnProgress = (now) => say({ kind: "progress", id, ...now });
+        return { result: await owner[name](...args, progressed) };
       }
-      case "arm":
-        this.#isArmed = request.on && this.#connection !== null;
-        return;
       case "act":
         if (moves(request.action)) this.#needArmed();
         return this.#client.act(request.action, now());
-      case "stop":
-        return this.#client.act("stop", now());
       case "hold":
         return this.#turn(request.speeds);
       case "doctor":
@@ -91,34 +91,28 @@ class Workshop {
     }
   }
 
-  readonly #work: { [Name in keyof Work]: Doing<Name> } = {
-    connect: (place, line) => this.#connect(place, line),
+  readonly work = {
+    connect: (place: Place, line: LineSettings | null) => this.#connect(place, line),
     disconnect: () => this.#disconnect(),
-    record: (on) => this.#record(on),
-    read: (progressed) => {
+    arm: (on: boolean) => void (this.#isArmed = on && this.#connection !== null),
+    stop: () => this.#client.act("stop", now()),
+    record: (on: boolean) => this.#record(on),
+    read: (progressed: OnProgress) => {
       this.#hasRead = true;
       return this.#client.read(progressed);
     },
-    profile: (profile) => this.#client.profile(profile),
-    plan: (values, profile) => this.#client.plan(values, profile),
-    planFile: (text, profile) => this.#client.planFile(text, profile),
-    planUndo: () => this.#client.planUndo(),
     tryOut: () => this.#tryOut(),
-    write: () => this.#client.write(),
     backup: () => this.#client.backup(false),
-    calibrations: () => this.#client.calibrations(),
-    check: (calibration) => this.#client.check(calibration),
-    calibrate: (calibration, values, progressed) => {
+    calibrate: (calibration: string, values: Record<string, string>, progressed: OnProgress) => {
       const one = this.#client.calibrations().find(({ name }) => name === calibration);
       if (one?.moves) this.#needArmed();
       return this.#client.calibrate(calibration, values, progressed);
     },
-    tune: (axes, gain, profile, progressed) => this.#tune(axes, gain, profile, progressed),
-    bode: (...all) => {
+    tune: (...all: Parameters<SetupClient["tune"]>) => this.#tune(...all),
+    bode: (...all: Parameters<SetupClient["bode"]>) => {
       this.#needArmed();
       return this.#client.bode(...all);
     },
-    cancel: () => this.#client.cancel(),
   };
 
   #needArmed(): void {
@@ -126,18 +120,18 @@ class Workshop {
   }
 
   #turn(speeds: Axes): void {
-    if (isStill(speeds)) this.#isBlocked = false;
-    if (!this.#connection || this.#isBlocked || (!this.#isArmed && !isStill(speeds))) return;
-    const failed = (error: unknown): void => {
-      this.#isBlocked = true;
-      say({ kind: "notice", text: sentenceOf(error) });
-    };
-    if (isStill(speeds)) return void this.#client.act("stop", now()).catch(failed);
+    const isStill = speeds.every((speed) => speed === 0);
+    if (isStill) this.#isBlocked = false;
+    if (!this.#connection || this.#isBlocked || (!this.#isArmed && !isStill)) return;
     const [roll, pitch, yaw] = speeds;
     const turn = `turn roll=${roll} pitch=${pitch} yaw=${yaw} seconds=${holdSeconds}`;
-    this.#client.act(turn, now()).catch(failed);
+    this.#client.act(isStill ? "stop" : turn, now()).catch((error: unknown) => {
+      this.#isBlocked = true;
+      say({ kind: "notice", text: sentenceOf(error) });
+    });
   }
 
+  /** Opens the line, searches for its settings unless they are given, and identifies the board. */
   async #connect(place: Place, line: LineSettings | null): Promise<Connected> {
     if (this.#connection || this.#opening) throw new Error("a gimbal is connected already");
     await this.#lock(place);
@@ -165,34 +159,27 @@ class Workshop {
 
   async #open(place: Place, wanted: LineSettings | null): Promise<Connected> {
     say({ kind: "link", state: "searching", text: "looking for the board" });
-    let opened: Connection<SetupClient> | undefined;
-    try {
-      const known = place.kind === "serial" ? wanted : usualLine; // a bridge knows the settings
-      opened = await Connection.open(
-        (handlers) => new SetupClient(this.setup, handlers, known === null),
-        (settings, handlers) => lines.open(place, settings, handlers),
-        {
-          observed: (from, bytes) => this.#observe(from, bytes),
-          lost: (reason) => opened === this.#connection && void this.#find(reason),
-          noticed: (text) => say({ kind: "notice", text }),
-          begun: (made) => void (this.#opening = made),
-        },
-        known ?? usualLine,
-      );
-    } finally {
-      this.#opening = null;
-    }
+    const known = place.kind === "serial" ? wanted : usualLine; // a bridge knows the settings
+    const opened = new Connection(
+      (handlers) => new SetupClient(this.setup, handlers, known === null),
+      (settings, handlers) => lines.open(place, settings, handlers),
+      {
+        observed: (from, bytes) => this.#observe(from, bytes),
+        lost: (reason) => opened === this.#connection && void this.#find(reason),
+        noticed: (text) => say({ kind: "notice", text }),
+      },
+      known ?? usualLine,
+    );
+    this.#opening = opened;
+    const identity = await opened.identity.finally(() => (this.#opening = null));
     this.#connection = opened;
     this.#place = place;
     this.#line = opened.settings;
-    const { serialNumber, lacks } = opened.client.board;
-    const { identity, settings } = opened;
-    const { baudRate, parity } = settings;
-    const line = `${baudRate} baud, ${parity === "none" ? "no parity" : "even parity"}`;
-    this.#serialNumber = serialNumber;
-    say({ kind: "identity", text: identity });
-    say({ kind: "link", state: "connected", text: place.kind === "serial" ? line : place.url });
-    return { identity, serialNumber, line: place.kind === "serial" ? settings : null, lacks };
+    const { board } = opened.client;
+    this.#serialNumber = board.serialNumber;
+    say({ kind: "link", state: "connected", text: "connected" });
+    const line = place.kind === "serial" ? opened.settings : null;
+    return { ...board, identity, line };
   }
 
   /** A line that was lost is looked for until it is there again; it is not armed then. */
@@ -221,6 +208,7 @@ class Workshop {
     }
   }
 
+  /** Stops what this page moves, and gives the line back. */
   async #disconnect(): Promise<void> {
     const connection = this.#connection;
     this.#place = null;
@@ -237,12 +225,14 @@ class Workshop {
     say({ kind: "link", state: "closed", text: "" });
   }
 
+  /** Begins and ends a recording; returns its bytes, which `sbgc decode` reads. */
   #record(on: boolean): Uint8Array<ArrayBuffer> | undefined {
     const made = this.#capture;
     this.#capture = on ? new Capture(now()) : null;
     return on ? undefined : made?.bytes();
   }
 
+  /** Writes the last plan to an emulated board that has the parameters of the real one. */
   async #tryOut(): Promise<Trial> {
     const client = this.#client;
     const gimbal = await Wasm.load(new URL("./gimbal.wasm", import.meta.url));
@@ -250,17 +240,13 @@ class Workshop {
     return tryOut({ gimbal, setup }, client.board, client.backup(false), client.backup(true));
   }
 
-  async #tune(
-    axes: boolean[],
-    gain: number,
-    profile: number,
-    progressed: OnProgress,
-  ): Promise<void> {
+  /** The parameters are read before, for `planUndo`. */
+  async #tune(...all: Parameters<SetupClient["tune"]>): Promise<void> {
     this.#needArmed();
     const client = this.#client;
     await client.read();
     client.remember();
-    const tuned = client.tune(axes, gain, profile, progressed);
+    const tuned = client.tune(...all);
     this.#run();
     await tuned;
     await client.read();

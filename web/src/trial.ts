@@ -1,8 +1,8 @@
 // A trial of parameters on an emulated board that has those of the real one.
 
 import { EmulatedGimbal } from "./line.js";
-import { type BoardFacts, SetupClient } from "./setup_client.js";
-import type { Trial } from "./setup_messages.js";
+import { SetupClient } from "./setup_client.js";
+import type { BoardFacts, Trial } from "./setup_messages.js";
 import type { Wasm } from "./wasm.js";
 
 /** The motion that shows how the controllers behave. */
@@ -15,22 +15,10 @@ export async function tryOut(
   present: string,
   wanted: string,
 ): Promise<Trial> {
-  let identified = (): void => {};
-  let failed = (_: string): void => {};
-  const ready = new Promise<void>((resolve, reject) => {
-    identified = resolve;
-    failed = (text) => reject(new Error(text));
-  });
   const { board, firmware } = facts;
-  const gimbal = new EmulatedGimbal(
-    modules.gimbal,
-    { motion, board, firmware },
-    { identified, failed },
-    undefined,
-    (handlers) => new SetupClient(modules.setup, handlers),
-  );
-  const client = gimbal.client as SetupClient;
-  await gimbal.during(ready);
+  const client = new SetupClient(modules.setup);
+  const gimbal = new EmulatedGimbal(modules.gimbal, { motion, board, firmware }, client);
+  await gimbal.during(client.identified);
   await gimbal.during(client.act("motors on", gimbal.now));
   await gimbal.during(client.read());
   const findings = async (backup: string): Promise<string[]> => {

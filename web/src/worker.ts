@@ -1,6 +1,7 @@
 // The worker of the playground: the emulated gimbal, its client, and the clock.
 
 import { answer, sentenceOf } from "./answers.js";
+import { Client } from "./client.js";
 import { EmulatedGimbal } from "./line.js";
 import type { EmulatorOptions } from "./modules.js";
 import { Reports } from "./reports.js";
@@ -62,15 +63,16 @@ class Playground {
 
   #start(options: EmulatorOptions): void {
     this.#gimbal?.client.close("the board has been replaced");
-    this.#gimbal = new EmulatedGimbal(
-      this.wasm,
-      options,
-      {
-        identified: (text) => say({ kind: "identity", text }),
-        failed: (message) => say({ kind: "failed", message }),
-        noticed: (text) => say({ kind: "notice", text }),
+    const client = new Client(this.wasm, { noticed: (text) => say({ kind: "notice", text }) });
+    const gimbal = new EmulatedGimbal(this.wasm, options, client, (from, bytes, now) =>
+      this.#reports.observe(from, bytes, now / 1e6),
+    );
+    this.#gimbal = gimbal;
+    client.identified.then(
+      (text) => say({ kind: "identity", text }),
+      (error: unknown) => {
+        if (gimbal === this.#gimbal) say({ kind: "failed", message: sentenceOf(error) });
       },
-      (from, bytes, now) => this.#reports.observe(from, bytes, now / 1e6),
     );
     this.#reports.reset();
     this.#mark();

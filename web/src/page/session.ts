@@ -4,6 +4,7 @@ import { createContext } from "preact";
 import { useContext, useEffect, useRef, useState } from "preact/hooks";
 
 import { sentenceOf } from "../answers.js";
+import type { OnProgress, Progress } from "../client.js";
 import type * as setup from "../setup_messages.js";
 import type * as playground from "../worker_messages.js";
 import type { View } from "../worker_messages.js";
@@ -13,12 +14,8 @@ import type { Action, Language } from "./lines.js";
 export type Report = playground.Report | setup.Report;
 type Request = playground.Request | setup.Request;
 export type Done = Extract<Report, { kind: "done" }>;
-export type Progress = Extract<Report, { kind: "progress" }>;
-export type OnProgress = (progress: Progress) => void;
 /** A request that the worker answers, without its number. */
-export type Question<R = Extract<Request, playground.Request>> = R extends { id: number }
-  ? Omit<R, "id">
-  : never;
+type Question<R = Request> = R extends { id: number } ? Omit<R, "id"> : never;
 
 interface Pending {
   resolve(done: Done): void;
@@ -44,7 +41,7 @@ export class Session {
   }
 
   /** Rejects with the error that the worker reports. */
-  ask(question: Question | Question<setup.Request>, progress?: OnProgress): Promise<Done> {
+  ask(question: Question, progress?: OnProgress): Promise<Done> {
     const id = ++this.#last;
     return new Promise((resolve, reject) => {
       this.#pending.set(id, { resolve, reject, progress });

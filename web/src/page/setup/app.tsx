@@ -6,18 +6,19 @@ import type { Connected, LinkState } from "../../setup_messages.js";
 import { Charts } from "../charts.js";
 import { Horizons } from "../horizon.js";
 import { Button, Choice, SmallButton } from "../inputs.js";
+import type { Action } from "../lines.js";
 import { Log } from "../log.js";
 import { Numbers, Status } from "../status.js";
 import { Offline } from "../offline.js";
-import { type Desk, DeskContext, useOutcome, useTask } from "../session.js";
+import { DeskContext, useOutcome, useTask } from "../session.js";
 import { GimbalView } from "../scene.js";
 import { CarePanel } from "./care.js";
 import { ConnectPanel } from "./connect.js";
-import { download, useEvents } from "./parts.js";
+import { download, Sentences, useEvents } from "./parts.js";
 import { Hold } from "./hold.js";
 import { MovePanel } from "./move.js";
 import { ParametersPanel } from "./parameters.js";
-import { BenchContext, useBench, type Bench, type Setup } from "./setup_session.js";
+import { useBench, type Bench, type Setup } from "./setup_session.js";
 
 declare const VERSION: string;
 const reloadedFor = "sbgc-setup-reloaded";
@@ -56,16 +57,16 @@ export function App({ session, token }: { session: Setup; token: string }) {
   const arm = (on: boolean): void => {
     if (on && (!isReady || !isConnected)) return;
     if (!on) hold.releaseAll();
-    session.post({ kind: "arm", on });
+    void session.do("arm", [on]);
     setArmed(on);
   };
   const stop = (): void => {
-    void follow("Stop", session.ask({ kind: "stop" }));
+    void follow("Stop", session.do("stop", []));
     hold.releaseAll(true);
   };
   /** Actions that have not ended. */
   const running = useRef(0);
-  const run = async (text: string, label: string): Promise<void> => {
+  const run = async ({ text }: Action, label: string): Promise<void> => {
     ++running.current;
     await follow(label, session.ask({ kind: "act", action: text }));
     --running.current;
@@ -100,10 +101,8 @@ export function App({ session, token }: { session: Setup; token: string }) {
     [session],
   );
   // No dialog or field can keep the key for itself.
-  const escape = (event: Event): void => {
-    if ((event as KeyboardEvent).key === "Escape") stop();
-  };
-  useEvents(window, ["keydown"], escape, true);
+  const isEscape = (event: Event): boolean => (event as KeyboardEvent).key === "Escape";
+  useEvents(window, ["keydown"], (event) => isEscape(event) && stop(), true);
   useEvents(document, ["visibilitychange"], () => document.hidden && disarm.current());
 
   const connected = (now: Connected): void => {
@@ -112,65 +111,68 @@ export function App({ session, token }: { session: Setup; token: string }) {
     setNotice("");
     clear();
   };
-  const desk: Desk = {
+  const isBad = isConnected ? outcome.isBad : link.state === "lost";
+  const bench: Bench = {
     session,
     language: "command",
     isReady: isConnected,
-    run: ({ text }, label) => void run(text, label),
+    run,
+    isConnected,
+    isArmed,
+    arm,
+    stop,
+    canUndo,
+    setUndo,
   };
-  const isBad = isConnected ? outcome.isBad : link.state === "lost";
-  const bench: Bench = { session, isConnected, isArmed, arm, stop, canUndo, setUndo };
   return (
-    <DeskContext.Provider value={desk}>
-      <BenchContext.Provider value={bench}>
-        <Offline />
-        {failure && (
-          <div class="note bad" role="alert">
-            <p>This page cannot work: {failure}</p>
-          </div>
+    <DeskContext.Provider value={bench}>
+      <Offline />
+      {failure && (
+        <div class="note bad" role="alert">
+          <p>This page cannot work: {failure}</p>
+        </div>
+      )}
+      <Status key={link.state} title={board?.identity ?? "No gimbal is connected"} onStop={stop}>
+        {isArmed ? (
+          <Button look="armed" onClick={() => disarm.current()}>Armed: lock</Button>
+        ) : (
+          <span class="muted">motion locked</span>
         )}
-        <Status key={link.state} title={board?.identity ?? "No gimbal is connected"} onStop={stop}>
-          {isArmed ? (
-            <Button look="armed" onClick={() => disarm.current()}>Armed: lock</Button>
-          ) : (
-            <span class="muted">motion locked</span>
-          )}
-          {board && <Recorder />}
-          {board && (
-            <SmallButton onClick={() => session.end("disconnect")}>Disconnect</SmallButton>
-          )}
-        </Status>
-        <p class={isBad ? "outcome small bad" : "outcome small muted"} role="status">
-          {isConnected ? outcome.text || notice : link.text}
-        </p>
-        {!board && <ConnectPanel token={token} isReady={isReady} onConnected={connected} />}
+        {board && <Recorder />}
         {board && (
-          <>
-            <Facts board={board} />
-            <Choice class="views" legend="View" options={views} value={shown} onChange={setShown} />
-            <div hidden={shown !== "move"}>
-              <div class="bench">
-                <div class="stage">
-                  <GimbalView />
-                  <Horizons />
-                  <Numbers />
-                </div>
-                <div class="panels">
-                  <MovePanel hold={hold} />
-                </div>
-              </div>
-              <Charts />
-              <Log />
-            </div>
-            <div hidden={shown !== "parameters"}>
-              <ParametersPanel />
-            </div>
-            <div hidden={shown !== "care"}>
-              <CarePanel />
-            </div>
-          </>
+          <SmallButton onClick={() => session.end("disconnect")}>Disconnect</SmallButton>
         )}
-      </BenchContext.Provider>
+      </Status>
+      <p class={isBad ? "outcome small bad" : "outcome small muted"} role="status">
+        {isConnected ? outcome.text || notice : link.text}
+      </p>
+      {!board && <ConnectPanel token={token} isReady={isReady} onConnected={connected} />}
+      {board && (
+        <>
+          <Facts board={board} />
+          <Choice class="views" legend="View" options={views} value={shown} onChange={setShown} />
+          <div hidden={shown !== "move"}>
+            <div class="bench">
+              <div class="stage">
+                <GimbalView />
+                <Horizons />
+                <Numbers />
+              </div>
+              <div class="panels">
+                <MovePanel hold={hold} />
+              </div>
+            </div>
+            <Charts />
+            <Log />
+          </div>
+          <div hidden={shown !== "parameters"}>
+            <ParametersPanel />
+          </div>
+          <div hidden={shown !== "care"}>
+            <CarePanel />
+          </div>
+        </>
+      )}
     </DeskContext.Provider>
   );
 }
@@ -186,11 +188,7 @@ function Facts({ board: { serialNumber, line, lacks } }: { board: Connected }) {
       {lacks.length > 0 && (
         <details>
           <summary>What this board lacks</summary>
-          <ul>
-            {lacks.map((one) => (
-              <li key={one}>{one}</li>
-            ))}
-          </ul>
+          <Sentences of={lacks} />
         </details>
       )}
     </div>

@@ -9,7 +9,7 @@ import { DoctorPanel } from "../doctor.js";
 import { Button, Check, Choice, Select, SliderRow, TextInput } from "../inputs.js";
 import { useTask, useView } from "../session.js";
 import type { Limits } from "../values.js";
-import { ArmSwitch, Dialog, download, TaskState } from "./parts.js";
+import { ArmSwitch, AskButton, download, TaskState } from "./parts.js";
 import { useBench } from "./setup_session.js";
 
 export const CarePanel = () => (
@@ -47,14 +47,13 @@ function CalibrationCard({ calibration }: { calibration: Calibration }) {
   const { session, isConnected, isArmed } = useBench();
   const [values, setValues] = useState<Record<string, string>>({});
   const [said, setSaid] = useState({ text: "", isGood: true });
-  const [asks, setAsks] = useState(false);
   const task = useTask();
   const { name, summary, preparation, effects, moves, values: fields } = calibration;
   const isComplete = fields.every(({ path }) => values[path]?.trim());
   const isPossible = isConnected && !task.isBusy && isComplete;
   const check = (): Promise<unknown> =>
     task.run(async (progress) => {
-      const { problem } = await session.do("check", [name], progress);
+      const problem = await session.do("check", [name], progress);
       setSaid({ text: problem ? `Not ready: ${problem}` : "The gimbal is ready.", isGood: !problem });
     });
   const calibrate = (): Promise<unknown> =>
@@ -101,27 +100,22 @@ function CalibrationCard({ calibration }: { calibration: Calibration }) {
       {moves && <ArmSwitch>The motors turn the camera during this calibration.</ArmSwitch>}
       <div class="flow row">
         <Button look="plain quiet" disabled={!isPossible} onClick={check}>Check</Button>
-        <Button disabled={!isPossible || (moves && !isArmed)} onClick={() => setAsks(true)}>
-          Calibrate
-        </Button>
-      </div>
-      <TaskState task={task} onCancel={() => session.end("cancel")} />
-      <p class={said.isGood ? "good" : "bad"} role="status">
-        {said.text}
-      </p>
-      {asks && (
-        <Dialog
-          title={`Calibrate: ${name}?`}
+        <AskButton
           action="Calibrate"
-          onAgree={() => void calibrate()}
-          onClose={() => setAsks(false)}
+          question={`Calibrate: ${name}?`}
+          disabled={!isPossible || (moves && !isArmed)}
+          onAgree={calibrate}
         >
           <p>
             {summary} {effects}
           </p>
           {preparation && <p>Before: {preparation}</p>}
-        </Dialog>
-      )}
+        </AskButton>
+      </div>
+      <TaskState task={task} onCancel={() => session.end("cancel")} />
+      <p class={said.isGood ? "good" : "bad"} role="status">
+        {said.text}
+      </p>
     </details>
   );
 }

@@ -18,11 +18,10 @@ interface Way {
   line: LineSettings | null;
   port?: SerialPort;
 }
-/** Connects in the way that `choose` gives, if it gives one. */
-type Connect = (choose: () => Promise<Way | null>) => Promise<unknown>;
 interface WayProps {
   isPossible: boolean;
-  connect: Connect;
+  /** Connects in the way that `choose` gives, if it gives one. */
+  connect: (choose: () => Promise<Way | null>) => Promise<unknown>;
 }
 interface Props {
   token: string;
@@ -34,12 +33,12 @@ export function ConnectPanel({ token, isReady, onConnected }: Props) {
   const { session } = useBench();
   const [way, setWay] = useState<Place["kind"]>(ports && !token ? "serial" : "bridge");
   const task = useTask();
-  const connect: Connect = (choose) =>
+  const connect: WayProps["connect"] = (choose) =>
     task.run(async (progress) => {
       const chosen = await choose();
       if (!chosen) return;
       const board = await session.do("connect", [chosen.place, chosen.line], progress);
-      if (chosen.port) noteBoard(chosen.port, board.serialNumber);
+      if (chosen.port) boards.set(chosen.port, board.serialNumber);
       onConnected(board);
     });
   const isPossible = isReady && !task.isBusy;
@@ -148,17 +147,15 @@ function BridgeWay({ token: given, isPossible, connect }: WayProps & { token: st
   );
 }
 
-export const ports = (navigator as Partial<Navigator>).serial;
+const ports = (navigator as Partial<Navigator>).serial;
 
 /** The serial number of the board that was last at a port. */
 const boards = new Map<SerialPort, string>();
-const noteBoard = (port: SerialPort, serialNumber: string): void =>
-  void boards.set(port, serialNumber);
 
 const hex = (id = 0): string => id.toString(16).padStart(4, "0");
 
 /** "Port 2: USB 10c4:ea60, last with board 0A1B". Adapters of one kind differ by their number. */
-export function nameOf(port: SerialPort, index: number): string {
+function nameOf(port: SerialPort, index: number): string {
   const { usbVendorId: vendor, usbProductId: product } = port.getInfo();
   const kind = vendor === undefined ? "no USB" : `USB ${hex(vendor)}:${hex(product)}`;
   const board = boards.get(port);

@@ -7,7 +7,7 @@ import { ActionRow } from "../actions.js";
 import { angleWords, axisNames, axisNumbers, fixed, sides } from "../axes.js";
 import { angleRows, Sliders } from "../controls.js";
 import { motorsOff, motorsOn, moveTo, release } from "../lines.js";
-import { DeskContext, useDesk, useView } from "../session.js";
+import { DeskContext, useView } from "../session.js";
 import { ArmSwitch, useEvents } from "./parts.js";
 import { period, type Hold } from "./hold.js";
 import { useBench } from "./setup_session.js";
@@ -30,8 +30,8 @@ function moveSentence(angles: Axes, speed: number, view: View | null): string {
 }
 
 export function MovePanel({ hold }: { hold: Hold }) {
-  const desk = useDesk();
-  const { isArmed } = useBench();
+  const bench = useBench();
+  const { isArmed } = bench;
   const view = useView(perSecond);
   const [goal, setGoal] = useState({ roll: 0, pitch: 0, yaw: 0, speed: 20 });
   const { roll, pitch, yaw, speed } = goal;
@@ -40,7 +40,7 @@ export function MovePanel({ hold }: { hold: Hold }) {
   const set = (change: Partial<typeof goal>): void => setGoal((now) => ({ ...now, ...change }));
   hold.limit = speed;
   return (
-    <DeskContext.Provider value={{ ...desk, isReady: isArmed }}>
+    <DeskContext.Provider value={{ ...bench, isReady: isArmed }}>
       <section aria-labelledby="arm-title">
         <h2 id="arm-title">Motion</h2>
         <ArmSwitch>

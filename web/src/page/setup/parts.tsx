@@ -1,5 +1,4 @@
-// Small parts: the switch that arms, the state of a task, a dialog that can stop, downloads, and
-// listening as long as a part is in the page.
+// Small parts of the page.
 
 import type { ComponentChildren } from "preact";
 import { useEffect, useRef } from "preact/hooks";
@@ -46,35 +45,45 @@ export function TaskState({ task, onCancel }: { task: Task; onCancel?: () => voi
   );
 }
 
-interface DialogProps {
-  title: string;
-  /** The name of the button that agrees. */
+export const Sentences = ({ of }: { of: string[] }) => (
+  <ul>
+    {of.map((one, n) => (
+      <li key={n}>{one}</li>
+    ))}
+  </ul>
+);
+
+interface AskProps {
+  /** The name of the button, and of the one that agrees. */
   action: string;
-  onAgree: () => void;
-  onClose: () => void;
+  question: string;
+  disabled: boolean;
+  onAgree: () => unknown;
   children: ComponentChildren;
 }
 
-/** Asks; Escape means no, after the page has stopped the camera. */
-export function Dialog({ title, action, onAgree, onClose, children }: DialogProps) {
+/** A button that asks; Escape means no, after the page has stopped the camera. */
+export function AskButton({ action, question, disabled, onAgree, children }: AskProps) {
   const { stop } = useBench();
   const dialog = useRef<HTMLDialogElement>(null);
-  useEffect(() => dialog.current?.showModal(), []);
   const close = (): void => dialog.current?.close();
   const agree = (): void => {
     close();
     onAgree();
   };
   return (
-    <dialog ref={dialog} aria-labelledby="dialog-title" onClose={onClose}>
-      <h2 id="dialog-title">{title}</h2>
-      {children}
-      <div class="flow row">
-        <Button look="plain quiet" onClick={close}>Leave it</Button>
-        <Button onClick={agree}>{action}</Button>
-        <StopButton onStop={stop} />
-      </div>
-    </dialog>
+    <>
+      <Button disabled={disabled} onClick={() => dialog.current?.showModal()}>{action}</Button>
+      <dialog ref={dialog} aria-label={question}>
+        <h2>{question}</h2>
+        {children}
+        <div class="flow row">
+          <Button look="plain quiet" onClick={close}>Leave it</Button>
+          <Button onClick={agree}>{action}</Button>
+          <StopButton onStop={stop} />
+        </div>
+      </dialog>
+    </>
   );
 }
 

@@ -5,7 +5,7 @@ import { useEffect, useRef, useState } from "preact/hooks";
 import type { Change, Plan, Trial, Written } from "../../setup_messages.js";
 import { Button, SmallButton } from "../inputs.js";
 import { useTask } from "../session.js";
-import { Dialog, TaskState } from "./parts.js";
+import { AskButton, Sentences, TaskState } from "./parts.js";
 import { useBench } from "./setup_session.js";
 
 interface Props {
@@ -17,12 +17,10 @@ interface Props {
 export function Review({ plan, onWritten, onClose }: Props) {
   const { session, setUndo } = useBench();
   const [trial, setTrial] = useState<Trial | null>(null);
-  const [asks, setAsks] = useState(false);
   const place = useRef<HTMLElement>(null);
   useEffect(() => place.current?.scrollIntoView({ block: "nearest" }), [plan]);
   const task = useTask();
-  const { problems, remarks } = plan;
-  const changes = [...plan.changes].sort((a, b) => Number(a.line) - Number(b.line));
+  const { changes, problems, remarks } = plan;
   const lines = changes.filter(({ line }) => line).map(({ name }) => name);
   const isWritable = changes.length > 0 && problems.length === 0 && !task.isBusy;
   const attempt = (): Promise<void> =>
@@ -40,11 +38,9 @@ export function Review({ plan, onWritten, onClose }: Props) {
       </div>
       {changes.length + problems.length === 0 && <p>Nothing differs from what is on the board.</p>}
       {problems.length > 0 && (
-        <ul class="bad" role="alert">
-          {problems.map(([name, sentence]) => (
-            <li key={`${name} ${sentence}`}>{sentence}</li>
-          ))}
-        </ul>
+        <div class="bad" role="alert">
+          <Sentences of={problems.map(([, sentence]) => sentence)} />
+        </div>
       )}
       <Sentences of={remarks} />
       {changes.length > 0 && <Differences changes={changes} />}
@@ -58,7 +54,18 @@ export function Review({ plan, onWritten, onClose }: Props) {
         <Button look="plain quiet" disabled={!isWritable} onClick={attempt}>
           Try on the emulated board
         </Button>
-        <Button disabled={!isWritable} onClick={() => setAsks(true)}>Write</Button>
+        <AskButton
+          action="Write"
+          question={changes.length === 1 ? "Write 1 parameter?" : `Write ${changes.length} parameters?`}
+          disabled={!isWritable}
+          onAgree={write}
+        >
+          <p>
+            Parameters take effect at once, and the camera can move. The page reads them back and
+            compares; “Undo the last write” brings the present values back.
+          </p>
+          {lines.length > 0 && <p class="warn">The line changes at the end: {lines.join(", ")}.</p>}
+        </AskButton>
       </div>
       <TaskState task={task} />
       {trial && (
@@ -72,31 +79,9 @@ export function Review({ plan, onWritten, onClose }: Props) {
           ))}
         </div>
       )}
-      {asks && (
-        <Dialog
-          title={changes.length === 1 ? "Write 1 parameter?" : `Write ${changes.length} parameters?`}
-          action="Write"
-          onAgree={() => void write()}
-          onClose={() => setAsks(false)}
-        >
-          <p>
-            Parameters take effect at once, and the camera can move. The page reads them back and
-            compares; “Undo the last write” brings the present values back.
-          </p>
-          {lines.length > 0 && <p class="warn">The line changes at the end: {lines.join(", ")}.</p>}
-        </Dialog>
-      )}
     </section>
   );
 }
-
-const Sentences = ({ of }: { of: string[] }) => (
-  <ul>
-    {of.map((one) => (
-      <li key={one}>{one}</li>
-    ))}
-  </ul>
-);
 
 const Differences = ({ changes }: { changes: Change[] }) => (
   <div class="differences" tabIndex={0} role="group" aria-label="Differences">

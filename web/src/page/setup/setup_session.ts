@@ -1,20 +1,20 @@
 // The page's side of the worker that has the line of a real gimbal.
 
-import { createContext } from "preact";
-import { useContext } from "preact/hooks";
+import type { OnProgress } from "../../client.js";
+import type { Work } from "../../setup_worker.js";
+import { type Desk, Session, useDesk } from "../session.js";
 
-import type { Request, Work } from "../../setup_messages.js";
-import { Session, type OnProgress, type Question } from "../session.js";
+/** What the page says; the worker adds a function for progress. */
+type Said<All extends unknown[]> = All extends [...infer Args, OnProgress] ? Args : All;
 
 export class Setup extends Session {
   async do<Name extends keyof Work>(
     name: Name,
-    args: Parameters<Work[Name]>,
+    args: Said<Parameters<Work[Name]>>,
     progress?: OnProgress,
-  ): Promise<ReturnType<Work[Name]>> {
-    const question = { kind: "work", name, args } as Question<Request>;
-    const done = await this.ask(question, progress);
-    return ("result" in done ? done.result : undefined) as ReturnType<Work[Name]>;
+  ): Promise<Awaited<ReturnType<Work[Name]>>> {
+    const done = await this.ask({ kind: "work", name, args }, progress);
+    return ("result" in done ? done.result : undefined) as Awaited<ReturnType<Work[Name]>>;
   }
 
   /** Nobody waits for its end. */
@@ -23,8 +23,8 @@ export class Setup extends Session {
   }
 }
 
-/** What the parts of this page need besides the desk. */
-export interface Bench {
+/** The desk of this page. */
+export interface Bench extends Desk {
   session: Setup;
   isConnected: boolean;
   isArmed: boolean;
@@ -35,10 +35,4 @@ export interface Bench {
   setUndo: (can: boolean) => void;
 }
 
-export const BenchContext = createContext<Bench | null>(null);
-
-export function useBench(): Bench {
-  const bench = useContext(BenchContext);
-  if (!bench) throw new Error("no bench");
-  return bench;
-}
+export const useBench = (): Bench => useDesk() as Bench;
