@@ -1,6 +1,8 @@
 // Tests of JSON text without a DOM: the reader accepts the same text as parse_json() and
 // from_dom(), and names the place of what is wrong; the writer writes what nlohmann_json reads.
 
+#include <unordered_set>
+
 #include <gtest/gtest.h>
 
 #include <sbgc/json.hpp>
@@ -168,7 +170,8 @@ std::string utf8_of(std::uint32_t c) {
 }
 
 TEST(Utf8, EveryCharacterAndNothingElseIsWellFormed) {
-  std::set<std::string> characters;  // all that have their bytes at a limit, and many others
+  // All that have their bytes at a limit, and many others.
+  std::unordered_set<std::string> characters;
   for (std::uint32_t c = 0; c <= 0x10FFFF; ++c) {
     if (c >= 0xD800 && c < 0xE000) continue;
     const std::string character = utf8_of(c);

@@ -127,8 +127,8 @@ TEST(ParseJson, CopiesNoMemberWhenItsParentGrows) {
 }
 
 TEST(ParseJson, ManyKeysTakeNoMoreThanTheirShare) {
-  // Comparing each key with all previous ones would take 10^11 comparisons.
-  constexpr std::size_t count = 500'000;
+  // Comparing each key with all previous ones would take 5 * 10^9 comparisons.
+  constexpr std::size_t count = 100'000;
   std::string text = "{";
   for (std::size_t i = 0; i < count; ++i) text += "\"key " + std::to_string(i) + "\":0,";
   text.back() = '}';

@@ -73,7 +73,8 @@ export async function tabTo(page, name) {
 
 /** What axe-core finds in a part of the page. A page with a policy must bypass it. */
 export async function axeProblems(page, part = "html", rules = undefined) {
-  await page.addScriptTag({ path: createRequire(import.meta.url).resolve("axe-core/axe.min.js") });
+  const isThere = await page.evaluate(() => "axe" in globalThis);
+  if (!isThere) await page.addScriptTag({ path: createRequire(import.meta.url).resolve("axe-core/axe.min.js") });
   // Preloading would load the style sheets again, which is not allowed for file URLs.
   const run = ([where, runOnly]) => globalThis.axe.run(where, { preload: false, ...(runOnly && { runOnly }) });
   const { violations } = await page.evaluate(run, [part, rules]);
@@ -82,13 +83,18 @@ export async function axeProblems(page, part = "html", rules = undefined) {
 
 /** In which a page is checked. */
 export const looks = ["light", "dark"].flatMap((colorScheme) =>
-  [390, 768, 1280].map((width) => ({ colorScheme, viewport: { width, height: 900 }, bypassCSP: true })),
+  [390, 768, 1280].map((width) => ({ colorScheme, viewport: { width, height: 900 } })),
 );
 
-/** Fails if axe-core finds something, or the page is wider than its window. */
-export async function checkLook(page, what = "") {
-  // Only colors differ between the two.
-  const isDark = await page.evaluate(() => matchMedia("(prefers-color-scheme: dark)").matches);
-  assert.deepEqual(await axeProblems(page, "html", isDark ? ["color-contrast"] : undefined), [], what);
-  assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), page.viewportSize().width, what);
+/** Fails if, in one of the looks, axe-core finds something, or the page is wider than its window. */
+export async function checkLook(page, what = "", some = looks) {
+  for (const { colorScheme, viewport } of some) {
+    await page.setViewportSize(viewport);
+    await page.emulateMedia({ colorScheme });
+    // Only colors differ between the two.
+    const rules = colorScheme === "dark" ? ["color-contrast"] : undefined;
+    const look = `${what}, ${colorScheme}, ${viewport.width} pixels`;
+    assert.deepEqual(await axeProblems(page, "html", rules), [], look);
+    assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), viewport.width, look);
+  }
 }

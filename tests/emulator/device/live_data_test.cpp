@@ -128,8 +128,8 @@ bool is_error(const Packets& packets) {
 TEST(Streams, KeepTheirAverageRateForLong) {
   Host host;
   ASSERT_THAT(host.ask(custom_stream(no_flags, 7), milliseconds(1)), SizeIs(1));
-  const auto packets = host.listen(seconds(600));
-  ASSERT_EQ(packets.size(), 600'000U / 7);
+  const auto packets = host.listen(seconds(60));
+  ASSERT_EQ(packets.size(), 60'000U / 7);
   const Duration whole = packets.back().at - packets.front().at;
   EXPECT_EQ(whole.us, 7'000 * (static_cast<std::int64_t>(packets.size()) - 1));
 }
