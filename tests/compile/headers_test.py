@@ -148,7 +148,7 @@ def test_each_header_alone(tmp_path: Path) -> None:
     common = ["sbgc/codec.hpp", "sbgc/enums.hpp", "sbgc/literals.hpp"]
     included = frozenset(common).union(*map(all_includes, common))
     compilers = []
-    for number, head in enumerate(([], common)):
+    for number, head in enumerate((list[str](), common)):
         (tmp_path / f"{number}").mkdir()
         compilers.append(Compiler(COMPILERS[-1], including(head), tmp_path / f"{number}", FLAGS))
     for chain in chains():
