@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import shutil
 import subprocess
+from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
@@ -33,12 +34,12 @@ def cross_compilers() -> dict[str, list[str]]:
 class Compiler:
     """Checks source text that follows `head`, with warnings, without writing anything."""
 
-    def __init__(self, name: str, head: str, folder: Path) -> None:
+    def __init__(self, name: str, head: str, folder: Path, options: Sequence[str] = ()) -> None:
         header = folder / "head.hpp"
         header.write_text(head, encoding="utf-8")
         is_clang = name == "clang++"
         flags = ["-std=c++20", "-Wall", "-Wextra", *(f"-I{path}" for path in INCLUDES)]
-        flags += ["-fno-color-diagnostics"] if is_clang else []
+        flags += [*options, *(["-fno-color-diagnostics"] if is_clang else [])]
         compiled = header.with_suffix(".hpp.pch" if is_clang else ".hpp.gch")
         subprocess.run([name, *flags, "-x", "c++-header", header, "-o", compiled], check=True)
         included = ["-include-pch", str(compiled)] if is_clang else ["-include", str(header)]

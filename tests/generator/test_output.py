@@ -29,18 +29,17 @@ def generate(root: Path, folder: Path, seed: str, zone: str) -> dict[str, bytes]
 
 
 def test_same_bytes_whatever_run_folder_hash_seed_zone_and_locale(tmp_path: Path) -> None:
-    first = generate(PROJECT, tmp_path / "one", "1", "UTC")
+    """Another run wrote generated/, and the next test makes it in this process, both where the project is."""
     moved = tmp_path / "a place with blanks"
     (moved / "spec").mkdir(parents=True)
     for path in (PROJECT / "spec").glob("*.yaml"):
         (moved / "spec" / path.name).write_bytes(path.read_bytes())
     (moved / blocking.SOURCE).parent.mkdir(parents=True)
     (moved / blocking.SOURCE).write_bytes((PROJECT / blocking.SOURCE).read_bytes())
-    second = generate(moved, tmp_path / "two", "4711", "Pacific/Auckland")
-    assert first == second
+    made = generate(moved, tmp_path / "out", "4711", "Pacific/Auckland")
     # Pins the meaning of all that the spec uses of its language.
     now = files_in(PROJECT / "generated")
-    changed = [name for name in first.keys() | now.keys() if first.get(name) != now.get(name)]
+    changed = [name for name in made.keys() | now.keys() if made.get(name) != now.get(name)]
     assert changed == [], "run ./dev generate, and look at the difference"
 
 
