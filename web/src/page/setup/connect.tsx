@@ -62,7 +62,7 @@ const NoSerial = () => (
   <div class="note warn">
     <p>
       {isSecureContext
-        ? "This browser has no Web Serial: Safari and Firefox for Android lack it. Chrome, Edge and Firefox on a desktop computer have it."
+        ? "This browser has no Web Serial: Safari and Firefox for Android lack it. Chrome, Edge and a recent Firefox on a desktop computer have it."
         : "This page came over plain http, where browsers keep serial ports from pages. From https or localhost, it can use them."}{" "}
       Or run <code>sbgc bridge --page</code> on the computer that has the gimbal, and open the
       address that it prints.
