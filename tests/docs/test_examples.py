@@ -227,9 +227,9 @@ def test_what_only_the_board_knows_is_read_before_it_is_written(pages: Pages) ->
 
 
 def run(commands: str, folder: Path) -> str:
-    """Runs all in one shell, which ends at the first that fails."""
+    """Runs all in one shell, which names the first that fails, and ends."""
     script = folder / "commands.sh"
-    script.write_text(commands, encoding="utf-8")
+    script.write_text(f"trap 'echo \"$BASH_COMMAND\" >&2' ERR\n{commands}", encoding="utf-8")
     done = subprocess.run(
         ["bash", "-e", str(script)],
         capture_output=True,
